@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A scene: a mesh and the views it is looked at from.
+//
+// Only floats enter an experiment: `view_triangles` moves world-space vertices into view space in
+// double precision and rounds each coordinate to float once. These float bits are the input of every
+// clipper and of the exact reference alike.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "spaces/projection.hpp"
+#include "spaces/vertex.hpp"
+
+namespace clipscope::experiments {
+
+// Every scene vertex carries four attributes: texture coordinates u, v and two more values in [-1, 1].
+inline constexpr int kSceneAttributes = 4;
+
+using SceneTriangle = ViewTriangle<float, kSceneAttributes>;
+
+struct Mesh {
+  std::vector<std::array<float, 3>> positions;                  // world space
+  std::vector<std::array<float, kSceneAttributes>> attributes;  // one per position
+  std::vector<std::array<std::uint32_t, 3>> triangles;          // indices into positions
+};
+
+// A camera position: world to view (rigid), and the frustum. Frustum numbers are floats.
+struct View {
+  std::string label;
+  glm::dmat4 view_from_world = glm::dmat4(1.0);
+  Frustum<float> frustum;
+};
+
+struct Scene {
+  std::string name;
+  std::string description;
+  Mesh mesh;
+  std::vector<View> views;  // at least one
+};
+
+// The view-space triangles [first, first + out.size()) of the mesh as seen from the view.
+// Pre-condition: first + out.size() <= scene.mesh.triangles.size().
+void view_triangles(const Scene& scene, const View& view, std::size_t first,
+                    std::span<SceneTriangle> out);
+
+}  // namespace clipscope::experiments

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+//
+// Divide first, then Sutherland-Hodgman in the canonical view volume (CVV), in three variants.
+//
+//   cvv/naive        positions and attributes interpolated linearly in NDC
+//   cvv/perspective  attributes by way of a/w and 1/w, which are linear in NDC
+//   cvv/near_first   a homogeneous cut by the near plane before the divide, then cvv/perspective
+//
+// Perspective-correct interpolation: Blinn, "Hyperbolic Interpolation", IEEE CG&A 12(4), 1992; Heckbert
+// and Moreton, "Interpolation for Polygon Texture Mapping and Shading", 1991.
+// Does not guarantee: anything sensible where some w <= 0, but for cvv/near_first: dividing by a
+// negative w mirrors a vertex to the other side, dividing by 0 sends it to infinity. What that does
+// to a picture is what the first two are here to show. A triangle with a vertex at w = 0
+// yields nothing in scalars that know no infinity.
+#pragma once
+
+#include <utility>
+
+#include "spaces/clipper.hpp"
+#include "spaces/cut.hpp"
+#include "spaces/planes.hpp"
+
+namespace clipscope {
+
+enum class AttributeInterpolation { affine, perspective };
+
+namespace cvv {
+
+// The point at t between two NDC vertices with attributes that are linear in eye space: the eye-space
+// parameter is t' = t w_outside^-1 / ((1 - t) w_inside^-1 + t w_outside^-1).
+template <Scalar T, int K>
+constexpr NdcVertex<T, K> interpolate_perspective(const NdcVertex<T, K>& inside,
+                                                  const NdcVertex<T, K>& outside, const T& t) {
+  NdcVertex<T, K> r;
+  for (int i = 0; i < 4; ++i) {
+    r.position[i] = inside.position[i] + t * (outside.position[i] - inside.position[i]);
+  }
+  r.attributes.resize(inside.attributes.size());
+  const T inv_w = r.position[3];
+  if (!can_divide_by(inv_w)) {
+    r.attributes = inside.attributes;
+    return r;
+  }
+  const T eye_t = t * outside.position[3] / inv_w;
+  for (int k = 0; k < r.attributes.size(); ++k) {
+    r.attributes[k] =
+        inside.attributes[k] + eye_t * (outside.attributes[k] - inside.attributes[k]);
+  }
+  return r;
+}
+
+// Cuts a polygon that was divided already by the planes given.
+template <AttributeInterpolation kAttributes, Scalar T, int K>
+constexpr void cut_planes(DepthRange depth, const NdcPolygon<T, K>& polygon, Outcode planes,
+                          NdcPolygon<T, K>& out) {
+  NdcPolygon<T, K> other = polygon;
+  NdcPolygon<T, K>* in = &other;
+  NdcPolygon<T, K>* next = &out;
+  for (const Plane plane : kAllPlanes) {
+    if ((planes & bit(plane)) == 0) {
+      continue;
+    }
+    const auto distance = [&](const NdcVertex<T, K>& v) {
+      return ndc_distance(depth, plane, v.position);
+    };
+    if constexpr (kAttributes == AttributeInterpolation::affine) {
+      cut(*in, *next, distance);
+    } else {
+      cut(*in, *next, distance, interpolate_perspective<T, K>);
+    }
+    std::swap(in, next);
+  }
+  if (in != &out) {
+    out = *in;
+  }
+  out.drop_if_degenerate();
+}
+
+// Divides and cuts. The outcodes are those of the divided vertices.
+template <AttributeInterpolation kAttributes, Scalar T, int K>
+constexpr void divide_and_cut(DepthRange depth, const ClipPolygon<T, K>& polygon,
+                              NdcPolygon<T, K>& out) {
+  out.clear();
+  Outcode all = ~Outcode{0};
+  Outcode any = 0;
+  for (const ClipVertex<T, K>& v : polygon) {
+    if (!can_divide_by(v.position[3])) {
+      out.clear();
+      return;
+    }
+    const NdcVertex<T, K> ndc = to_ndc(v);
+    const Outcode code = ndc_outcode(depth, ndc.position);
+    all &= code;
+    any |= code;
+    out.push_back(ndc);
+  }
+  if (all != 0) {
+    out.clear();
+  } else if (any != 0) {
+    const NdcPolygon<T, K> divided = out;
+    cut_planes<kAttributes>(depth, divided, any, out);
+  }
+}
+
+}  // namespace cvv
+
+template <AttributeInterpolation kAttributes>
+struct CvvSutherlandHodgman {
+  static constexpr bool kAffine = kAttributes == AttributeInterpolation::affine;
+  static constexpr std::string_view name = kAffine ? "cvv/naive" : "cvv/perspective";
+  static constexpr std::string_view summary =
+      kAffine ? "divide, then Sutherland-Hodgman in NDC, attributes interpolated as positions are"
+              : "divide, then Sutherland-Hodgman in NDC with perspective-correct attributes";
+  static constexpr std::string_view source =
+      kAffine ? "Sutherland and Hodgman, Reentrant Polygon Clipping, 1974"
+              : "Blinn, Hyperbolic Interpolation, 1992";
+  static constexpr Promise promise{.domain = Promise::Domain::in_front,
+                                   .attributes = !kAffine,
+                                   .ulps = 64,
+                                   .amplification = Promise::Amplification::w_ratio};
+
+  template <Scalar T, int K>
+  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
+                            NdcPolygon<T, K>& out) const {
+    (*this)(projection.frustum.depth, to_clip(projection, triangle), out);
+  }
+
+  template <Scalar T, int K>
+  constexpr void operator()(DepthRange depth, const ClipTriangle<T, K>& triangle,
+                            NdcPolygon<T, K>& out) const {
+    ClipPolygon<T, K> polygon;
+    polygon.assign(triangle);
+    cvv::divide_and_cut<kAttributes>(depth, polygon, out);
+  }
+};
+
+using CvvNaive = CvvSutherlandHodgman<AttributeInterpolation::affine>;
+using CvvPerspective = CvvSutherlandHodgman<AttributeInterpolation::perspective>;
+
+struct CvvNearFirst {
+  static constexpr std::string_view name = "cvv/near_first";
+  static constexpr std::string_view summary =
+      "homogeneous cut by the near plane, divide, then Sutherland-Hodgman in NDC";
+  static constexpr std::string_view source = "Blinn, A Trip Down the Graphics Pipeline: Line Clipping, 1991";
+  static constexpr Promise promise{.ulps = 64,
+                                   .amplification = Promise::Amplification::w_ratio};
+
+  template <Scalar T, int K>
+  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
+                            NdcPolygon<T, K>& out) const {
+    (*this)(projection.frustum.depth, to_clip(projection, triangle), out);
+  }
+
+  template <Scalar T, int K>
+  constexpr void operator()(DepthRange depth, const ClipTriangle<T, K>& triangle,
+                            NdcPolygon<T, K>& out) const {
+    out.clear();
+    ClipPolygon<T, K> polygon, in_front;
+    polygon.assign(triangle);
+    cut(polygon, in_front, [&](const ClipVertex<T, K>& v) {
+      return clip_distance(depth, Plane::near, v.position);
+    });
+    for (const ClipVertex<T, K>& v : in_front) {
+      if (!(T(0) < v.position[3])) {
+        return;
+      }
+    }
+    cvv::divide_and_cut<AttributeInterpolation::perspective>(depth, in_front, out);
+  }
+};
+
+}  // namespace clipscope

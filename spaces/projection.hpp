@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+//
+// Frustum and projection: from the view volume to clip coordinates.
+//
+// Perspective (off-centre allowed), orthographic, and oblique parallel projection (an orthographic
+// one after a shear of x and y by z). Depth conventions: OpenGL [-1, 1], Direct3D and Vulkan [0, 1],
+// reversed [1, 0]; each also with the far plane at infinity.
+//
+// Matrices: OpenGL 1.5 specification, section 2.11.2 (glFrustum, glOrtho), and the same with the
+// depth row changed; far -> infinity: Lengyel, "Projection Matrix Tricks", GDC 2007.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+
+#include "spaces/vertex.hpp"
+
+namespace clipscope {
+
+enum class DepthRange : std::uint8_t {
+  minus_one_to_one,  // OpenGL: near at -1, far at 1
+  zero_to_one,       // Direct3D, Vulkan: near at 0, far at 1
+  reversed           // near at 1, far at 0
+};
+
+enum class ProjectionKind : std::uint8_t { perspective, parallel };
+
+// The view volume in view space. Perspective: left, right, bottom and top are measured on the near
+// plane, 0 < near < far. Parallel: they bound x + shear_x z and y + shear_y z; near < far.
+// Points of the volume have -far <= z <= -near. All planes belong to it.
+template <Scalar T>
+struct Frustum {
+  ProjectionKind kind = ProjectionKind::perspective;
+  T left = T(-1), right = T(1), bottom = T(-1), top = T(1);
+  T near = T(1), far = T(10);
+  bool infinite_far = false;  // `far` is then ignored; perspective only
+  T shear_x = T(0), shear_y = T(0);  // oblique parallel projection; 0 for perspective
+  DepthRange depth = DepthRange::minus_one_to_one;
+
+  friend constexpr bool operator==(const Frustum&, const Frustum&) = default;
+};
+
+// The same frustum in another scalar; exact where T can hold the numbers given.
+template <Scalar T, Scalar U>
+constexpr Frustum<T> frustum_cast(const Frustum<U>& f) {
+  return {f.kind,           T(f.left),      T(f.right),     T(f.bottom), T(f.top), T(f.near), T(f.far),
+          f.infinite_far,   T(f.shear_x),   T(f.shear_y),   f.depth};
+}
+
+// Whether the frustum encloses a volume.
+template <Scalar T>
+constexpr bool is_valid(const Frustum<T>& f) {
+  const bool sides = f.left < f.right && f.bottom < f.top;
+  if (f.kind == ProjectionKind::parallel) {
+    return sides && !f.infinite_far && f.near < f.far;
+  }
+  return sides && T(0) < f.near && (f.infinite_far || f.near < f.far);
+}
+
+// One row of a projection matrix that is not zero where it may be: a * (own coordinate) + b * z + c.
+template <Scalar T>
+struct ProjectionRow {
+  T own = T(0), z = T(0), one = T(0);
+};
+
+// The projection: the frustum, and the rows of its matrix rounded to T once.
+//   x_clip = x.own x + x.z z + x.one     z_clip = z.z z + z.one
+//   y_clip = y.own y + y.z z + y.one     w_clip = w.z z + w.one
+template <Scalar T>
+struct Projection {
+  Frustum<T> frustum;
+  ProjectionRow<T> x, y, z, w;
+
+  constexpr Projection() = default;
+  // Pre-condition: is_valid(frustum).
+  explicit constexpr Projection(const Frustum<T>& f) : frustum(f) {
+    if (f.kind == ProjectionKind::perspective) {
+      set_perspective();
+    } else {
+      set_parallel();
+    }
+  }
+
+ private:
+  constexpr void set_perspective() {
+    const Frustum<T>& f = frustum;
+    const T two_near = f.near + f.near;
+    x.own = two_near / (f.right - f.left);
+    x.z = (f.right + f.left) / (f.right - f.left);
+    y.own = two_near / (f.top - f.bottom);
+    y.z = (f.top + f.bottom) / (f.top - f.bottom);
+    w.z = T(-1);
+    if (f.infinite_far) {
+      set_infinite_depth(two_near);
+      return;
+    }
+    const T length = f.far - f.near;
+    const T product = f.far * f.near;
+    switch (f.depth) {
+      case DepthRange::minus_one_to_one:
+        z.z = -(f.far + f.near) / length;
+        z.one = -(product + product) / length;
+        break;
+      case DepthRange::zero_to_one:
+        z.z = -f.far / length;
+        z.one = -product / length;
+        break;
+      case DepthRange::reversed:
+        z.z = f.near / length;
+        z.one = product / length;
+        break;
+    }
+  }
+
+  constexpr void set_infinite_depth(const T& two_near) {
+    switch (frustum.depth) {
+      case DepthRange::minus_one_to_one:
+        z.z = T(-1);
+        z.one = -two_near;
+        break;
+      case DepthRange::zero_to_one:
+        z.z = T(-1);
+        z.one = -frustum.near;
+        break;
+      case DepthRange::reversed:
+        z.one = frustum.near;
+        break;
+    }
+  }
+
+  constexpr void set_parallel() {
+    const Frustum<T>& f = frustum;
+    x.own = T(2) / (f.right - f.left);
+    x.z = x.own * f.shear_x;
+    x.one = -(f.right + f.left) / (f.right - f.left);
+    y.own = T(2) / (f.top - f.bottom);
+    y.z = y.own * f.shear_y;
+    y.one = -(f.top + f.bottom) / (f.top - f.bottom);
+    w.one = T(1);
+    const T length = f.far - f.near;
+    switch (f.depth) {
+      case DepthRange::minus_one_to_one:
+        z.z = T(-2) / length;
+        z.one = -(f.far + f.near) / length;
+        break;
+      case DepthRange::zero_to_one:
+        z.z = T(-1) / length;
+        z.one = -f.near / length;
+        break;
+      case DepthRange::reversed:
+        z.z = T(1) / length;
+        z.one = f.far / length;
+        break;
+    }
+  }
+};
+
+// View space to clip space.
+template <Scalar T>
+constexpr Vec4<T> to_clip(const Projection<T>& p, const Vec3<T>& v) {
+  const T x = p.x.own * v[0] + p.x.z * v[2] + p.x.one;
+  const T y = p.y.own * v[1] + p.y.z * v[2] + p.y.one;
+  const T z = p.z.z * v[2] + p.z.one;
+  const T w = p.w.z * v[2] + p.w.one;
+  return Vec4<T>(x, y, z, w);
+}
+
+template <Scalar T, int K>
+constexpr ClipVertex<T, K> to_clip(const Projection<T>& p, const ViewVertex<T, K>& v) {
+  return {to_clip(p, v.position), v.attributes};
+}
+
+template <Scalar T, int K>
+constexpr ClipTriangle<T, K> to_clip(const Projection<T>& p, const ViewTriangle<T, K>& t) {
+  return {to_clip(p, t[0]), to_clip(p, t[1]), to_clip(p, t[2])};
+}
+
+// The perspective divide: (x/w, y/w, z/w, 1/w), four divisions, each rounded once. w may be anything
+// that T can divide by; what w <= 0 means is the caller's business.
+template <Scalar T>
+constexpr Vec4<T> to_ndc(const Vec4<T>& v) {
+  const T x = v[0] / v[3];
+  const T y = v[1] / v[3];
+  const T z = v[2] / v[3];
+  const T inv_w = T(1) / v[3];
+  return Vec4<T>(x, y, z, inv_w);
+}
+
+template <Scalar T, int K>
+constexpr NdcVertex<T, K> to_ndc(const ClipVertex<T, K>& v) {
+  return {to_ndc(v.position), v.attributes};
+}
+
+}  // namespace clipscope

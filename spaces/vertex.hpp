@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+//
+// Vertices and triangles, typed by the space they live in.
+//
+//   view   (x, y, z)        right-handed, the eye at the origin, looking down -z
+//   clip   (x, y, z, w)     after the projection, before the divide; w = -z_view for perspective
+//   ndc    (x, y, z, 1/w)   after the divide; x and y in [-1, 1] inside the canonical view volume
+//
+// A vertex carries K attributes: a number fixed at compile time, or kRunTime for a number known only
+// at run time (at most kMaxAttributes). In every space the attributes are the true values at that
+// point, never divided by w.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <type_traits>
+
+#include "spaces/scalar.hpp"
+
+namespace clipscope {
+
+template <Scalar T>
+using Vec3 = glm::vec<3, T, glm::defaultp>;
+
+template <Scalar T>
+using Vec4 = glm::vec<4, T, glm::defaultp>;
+
+enum class Space { view, clip, ndc };
+
+inline constexpr int kRunTime = -1;
+inline constexpr int kMaxAttributes = 32;
+
+// K attribute values.
+template <Scalar T, int K>
+struct Attributes {
+  static_assert(K >= 0 && K <= kMaxAttributes);
+  std::array<T, K> values;
+
+  static constexpr int size() { return K; }
+  constexpr void resize(int) {}
+  constexpr T& operator[](int k) { return values[k]; }
+  constexpr const T& operator[](int k) const { return values[k]; }
+};
+
+// A number of attribute values known at run time; no allocation.
+template <Scalar T>
+struct Attributes<T, kRunTime> {
+  std::array<T, kMaxAttributes> values;
+  int count = 0;
+
+  constexpr int size() const { return count; }
+  // Pre-condition: 0 <= n <= kMaxAttributes. New values are unspecified.
+  constexpr void resize(int n) { count = n; }
+  constexpr T& operator[](int k) { return values[k]; }
+  constexpr const T& operator[](int k) const { return values[k]; }
+};
+
+template <Space S, Scalar T>
+using Position = std::conditional_t<S == Space::view, Vec3<T>, Vec4<T>>;
+
+template <Space S, Scalar T, int K>
+struct Vertex {
+  Position<S, T> position;
+  Attributes<T, K> attributes;
+
+  static constexpr int kDimension = S == Space::view ? 3 : 4;
+};
+
+template <Scalar T, int K>
+using ViewVertex = Vertex<Space::view, T, K>;
+template <Scalar T, int K>
+using ClipVertex = Vertex<Space::clip, T, K>;
+template <Scalar T, int K>
+using NdcVertex = Vertex<Space::ndc, T, K>;
+
+template <Space S, Scalar T, int K>
+using Triangle = std::array<Vertex<S, T, K>, 3>;
+
+template <Scalar T, int K>
+using ViewTriangle = Triangle<Space::view, T, K>;
+template <Scalar T, int K>
+using ClipTriangle = Triangle<Space::clip, T, K>;
+
+// The point a + t (b - a) of the edge a-b, attributes included; t = 0 gives a exactly.
+template <Space S, Scalar T, int K>
+constexpr Vertex<S, T, K> interpolate(const Vertex<S, T, K>& a, const Vertex<S, T, K>& b,
+                                      const T& t) {
+  Vertex<S, T, K> r;
+  for (int i = 0; i < Vertex<S, T, K>::kDimension; ++i) {
+    r.position[i] = a.position[i] + t * (b.position[i] - a.position[i]);
+  }
+  r.attributes.resize(a.attributes.size());
+  for (int k = 0; k < a.attributes.size(); ++k) {
+    r.attributes[k] = a.attributes[k] + t * (b.attributes[k] - a.attributes[k]);
+  }
+  return r;
+}
+
+}  // namespace clipscope

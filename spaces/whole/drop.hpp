@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// No cut at all: triangles are kept or dropped whole, the shortcut of early games.
+//
+//   whole/any_outside  drops a triangle if any vertex is outside; leaves holes at the border
+//   whole/all_outside  drops a triangle only if all vertices are outside one plane; what is kept may
+//                      reach out of the volume, and is left to the rasteriser
+//
+// Does not guarantee: the contract. That is what they are measured for. whole/all_outside divides
+// whatever w it finds: a vertex behind the eye is mirrored, one at w = 0 goes to infinity.
+#pragma once
+
+#include "spaces/clipper.hpp"
+#include "spaces/planes.hpp"
+
+namespace clipscope {
+
+enum class DropWhen { any_outside, all_outside };
+
+template <DropWhen kDropWhen>
+struct WholeTriangle {
+  static constexpr bool kAny = kDropWhen == DropWhen::any_outside;
+  static constexpr std::string_view name = kAny ? "whole/any_outside" : "whole/all_outside";
+  static constexpr std::string_view summary =
+      kAny ? "no cut: drops a triangle if any vertex is outside (holes at the border)"
+           : "no cut: drops a triangle if all vertices are outside one plane (reaches out of the volume)";
+  static constexpr std::string_view source = "practice of early real-time renderers";
+  static constexpr Promise promise{.domain = Promise::Domain::all_or_nothing,
+                                   .covers = !kAny,
+                                   .contained = kAny,
+                                   .ulps = 64};
+
+  template <Scalar T, int K>
+  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
+                            NdcPolygon<T, K>& out) const {
+    (*this)(projection.frustum.depth, to_clip(projection, triangle), out);
+  }
+
+  template <Scalar T, int K>
+  constexpr void operator()(DepthRange depth, const ClipTriangle<T, K>& triangle,
+                            NdcPolygon<T, K>& out) const {
+    const TriangleOutcode code = combine(clip_outcode(depth, triangle[0].position),
+                                         clip_outcode(depth, triangle[1].position),
+                                         clip_outcode(depth, triangle[2].position));
+    out.clear();
+    if ((kAny ? code.any : code.all) != 0) {
+      return;
+    }
+    for (const ClipVertex<T, K>& v : triangle) {
+      if (!can_divide_by(v.position[3])) {
+        out.clear();
+        return;
+      }
+      out.push_back(to_ndc(v));
+    }
+  }
+};
+
+using WholeAnyOutside = WholeTriangle<DropWhen::any_outside>;
+using WholeAllOutside = WholeTriangle<DropWhen::all_outside>;
+
+}  // namespace clipscope

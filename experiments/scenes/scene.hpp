@@ -11,8 +11,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "spaces/projection.hpp"
@@ -45,9 +47,35 @@ struct Scene {
   std::vector<View> views;  // at least one
 };
 
-// The view-space triangles [first, first + out.size()) of the mesh as seen from the view.
+// The view-space triangles [first, first + out.size()) of the mesh as seen from the view. An identity
+// view keeps the bits of the mesh's floats, signs of zeros included.
 // Pre-condition: first + out.size() <= scene.mesh.triangles.size().
 void view_triangles(const Scene& scene, const View& view, std::size_t first,
                     std::span<SceneTriangle> out);
+
+// Whether the mesh is given in view space already: all its views are the identity.
+bool is_in_view_space(const Scene& scene);
+
+// An axis-aligned box, lo <= hi in each coordinate.
+struct Box {
+  glm::dvec3 lo, hi;
+
+  glm::dvec3 centre() const { return (lo + hi) * 0.5; }
+  glm::dvec3 size() const { return hi - lo; }
+};
+
+// The smallest box around all positions of the mesh. Pre-condition: the mesh has a position.
+Box bounding_box(const Mesh& mesh);
+
+struct SceneOptions;   // experiments/scenes/builtin.hpp
+struct CameraOptions;  // experiments/scenes/camera.hpp
+
+// A built-in scene by its name, or a mesh file (a name that holds a '.' or a '/', or exists) seen from
+// `make_views`. Options of the camera replace the views of a built-in scene as soon as one other than
+// `depth` differs from its default; `depth` holds for every view.
+// Errors: UsageError for a name that is neither, and for a camera on a scene given in view space;
+// those of load_mesh and make_views.
+Scene load_scene(std::string_view name_or_file, const SceneOptions& options,
+                 const CameraOptions& camera);
 
 }  // namespace clipscope::experiments

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Triangle soups by rejection: propose a triangle of a class, keep it if a double classification
+// agrees.
+#include "experiments/scenes/soup.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "experiments/errors.hpp"
+#include "experiments/scenes/builtin.hpp"
+#include "experiments/scenes/families.hpp"
+#include "experiments/scenes/random.hpp"
+#include "spaces/planes.hpp"
+
+namespace clipscope::experiments {
+namespace {
+
+using glm::dvec3;
+using Corners = std::array<std::array<float, 3>, 3>;
+
+constexpr double kMargin = 1e-5;  // see the header
+constexpr double kScreenHeight_px = 2160;
+constexpr double kInfiniteFarDepth = 1e4;  // in near distances: how deep a soup reaches without far
+
+// The length of the gradient of a plane's distance form.
+double gradient(const Frustum<double>& f, Plane plane) {
+  if (plane == Plane::near || plane == Plane::far) {
+    return 1;
+  }
+  const bool is_x = plane == Plane::left || plane == Plane::right;
+  if (f.kind == ProjectionKind::parallel) {
+    return std::hypot(1.0, is_x ? f.shear_x : f.shear_y);
+  }
+  const double side = plane == Plane::left     ? f.left
+                      : plane == Plane::right  ? f.right
+                      : plane == Plane::bottom ? f.bottom
+                                               : f.top;
+  return std::hypot(f.near, side);
+}
+
+// Where one vertex lies, or that it is too near to a border to say.
+struct Place {
+  Outcode outside = 0;
+  bool behind_eye = false;
+  bool clear = true;
+};
+
+Place place_of(const Frustum<double>& f, const std::array<float, 3>& p) {
+  const Vec3<double> v(p[0], p[1], p[2]);
+  const double margin = kMargin * (std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]));
+  Place place;
+  for (const Plane plane : kAllPlanes) {
+    const double d = view_distance(f, plane, v) / gradient(f, plane);
+    place.clear = place.clear && std::abs(d) > margin;
+    place.outside |= d < 0 ? bit(plane) : 0;
+  }
+  if (f.kind == ProjectionKind::perspective) {
+    place.clear = place.clear && std::abs(v[2]) > margin;
+    place.behind_eye = v[2] > 0;
+  }
+  return place;
+}
+
+// Proposes triangles of each class.
+class Proposer {
+ public:
+  Proposer(const Frustum<float>& f, std::uint64_t seed)
+      : frustum_(frustum_cast<double>(f)), random_(seed) {
+    if (f.infinite_far) {
+      frustum_.far = frustum_.near * kInfiniteFarDepth;
+    }
+  }
+
+  Random& random() { return random_; }
+
+  Corners propose(SoupClass wanted) {
+    switch (wanted) {
+      case SoupClass::inside:
+        return blob(at(random_.uniform(-1, 1), random_.uniform(-1, 1), depth()), 1, 100);
+      case SoupClass::outside: return blob(outside_point(), 1, 100);
+      case SoupClass::straddling: return random_.chance(0.85) ? across_side() : across_depth();
+      default: return across_eye();
+    }
+  }
+
+ private:
+  bool is_perspective() const { return frustum_.kind == ProjectionKind::perspective; }
+
+  // The point of the view volume's cone (or prism) at an NDC position and a depth.
+  dvec3 at(double x_ndc, double y_ndc, double depth) const {
+    const double k = is_perspective() ? depth / frustum_.near : 1;
+    const double x = 0.5 * ((1 + x_ndc) * frustum_.right + (1 - x_ndc) * frustum_.left) * k;
+    const double y = 0.5 * ((1 + y_ndc) * frustum_.top + (1 - y_ndc) * frustum_.bottom) * k;
+    return {x + frustum_.shear_x * depth, y + frustum_.shear_y * depth, -depth};
+  }
+
+  double depth() {
+    return is_perspective() ? random_.across_magnitudes(frustum_.near, frustum_.far)
+                            : random_.uniform(frustum_.near, frustum_.far);
+  }
+
+  // The length in view space of one pixel at a depth.
+  double pixel(double depth) const {
+    const double height = frustum_.top - frustum_.bottom;
+    return height / kScreenHeight_px * (is_perspective() ? std::abs(depth) / frustum_.near : 1);
+  }
+
+  Corners around(const dvec3& centre, double radius) {
+    Corners corners;
+    for (auto& corner : corners) {
+      const dvec3 p = centre + radius * random_.in_cube();
+      corner = {float(p.x), float(p.y), float(p.z)};
+    }
+    return corners;
+  }
+
+  // A triangle of lo_px to hi_px around a centre.
+  Corners blob(const dvec3& centre, double lo_px, double hi_px) {
+    const double size_px = random_.across_magnitudes(lo_px, hi_px);
+    return around(centre, 0.5 * size_px * pixel(centre.z));
+  }
+
+  // Beside the volume, sometimes behind the eye or beyond far.
+  dvec3 outside_point() {
+    const double kind = random_.uniform();
+    const double along = random_.uniform(-2, 2), beyond = random_.sign() * random_.uniform(1, 4);
+    const double d = depth();
+    if (kind < 0.4) {
+      return at(beyond, along, d);
+    }
+    if (kind < 0.7) {
+      return at(along, beyond, d);
+    }
+    if (kind < 0.9) {
+      return at(along, beyond, is_perspective() ? -d : frustum_.near - d);
+    }
+    const double length = frustum_.far - frustum_.near;
+    return at(along, beyond, frustum_.far + length * random_.uniform(0, 1));
+  }
+
+  Corners across_side() {
+    const double along = random_.uniform(-1, 1),
+                 border = random_.sign() * random_.uniform(0.9, 1.1);
+    const double d = depth();
+    const bool is_x = random_.chance(0.5);
+    return blob(is_x ? at(border, along, d) : at(along, border, d), 16, 400);
+  }
+
+  // Across near as large as the near rectangle, across far 16 to 400 px.
+  Corners across_depth() {
+    const double x = random_.uniform(-1, 1), y = random_.uniform(-1, 1);
+    if (random_.chance(0.5)) {
+      return around(at(x, y, frustum_.near * random_.uniform(0.9, 1.1)),
+                    0.3 * (frustum_.top - frustum_.bottom));
+    }
+    return blob(at(x, y, frustum_.far * random_.uniform(0.99, 1.01)), 16, 400);
+  }
+
+  // From inside the volume to behind the eye.
+  Corners across_eye() {
+    const double d = depth();
+    const dvec3 inside = at(random_.uniform(-1, 1), random_.uniform(-1, 1), d);
+    const double reach = d * random_.across_magnitudes(0.0625, 4);
+    const dvec3 behind = reach * random_.in_cube() + dvec3(0, 0, reach);
+    const dvec3 third = random_.chance(0.5) ? inside + 0.25 * reach * random_.in_cube()
+                                            : behind + 0.5 * reach * random_.in_cube();
+    std::array<dvec3, 3> points = {inside, behind, third};
+    random_.shuffle(std::span<dvec3>(points));
+    Corners corners;
+    std::ranges::transform(points, corners.begin(), [](const dvec3& p) {
+      return std::array{float(p.x), float(p.y), float(p.z)};
+    });
+    return corners;
+  }
+
+  Frustum<double> frustum_;
+  Random random_;
+};
+
+// Whole numbers in the proportion of the shares, by the largest remainder, that sum to `total`.
+std::array<std::size_t, 4> apportion(const std::array<double, 4>& shares, std::size_t total) {
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  std::array<std::size_t, 4> counts;
+  std::array<double, 4> remainders;
+  for (int i = 0; i < 4; ++i) {
+    const double exact = shares[i] / sum * static_cast<double>(total);
+    counts[i] = static_cast<std::size_t>(exact);
+    remainders[i] = exact - static_cast<double>(counts[i]);
+  }
+  while (std::accumulate(counts.begin(), counts.end(), std::size_t{0}) < total) {
+    const auto largest = std::ranges::max_element(remainders) - remainders.begin();
+    ++counts[largest];
+    remainders[largest] = -1;
+  }
+  return counts;
+}
+
+void check(const SoupShares& shares, const Frustum<float>& frustum) {
+  for (const double share :
+       {shares.inside, shares.outside, shares.straddling, shares.crossing_w0}) {
+    if (!(share >= 0 && std::isfinite(share))) {
+      throw UsageError(fmt::format("soup: a share of {} given; shares are numbers >= 0", share));
+    }
+  }
+  if (!(shares.inside + shares.outside + shares.straddling + shares.crossing_w0 > 0)) {
+    throw UsageError("soup: all shares are 0; at least one must be positive");
+  }
+  if (shares.crossing_w0 > 0 && frustum.kind == ProjectionKind::parallel) {
+    throw UsageError("soup: in a parallel projection w is 1 everywhere, nothing can cross w = 0");
+  }
+}
+
+std::vector<SoupClass> shuffled_classes(const SoupShares& shares, std::size_t triangles,
+                                        Random& random) {
+  constexpr std::array kClasses = {SoupClass::inside, SoupClass::outside, SoupClass::straddling,
+                                   SoupClass::crossing_w0};
+  const auto counts =
+      apportion({shares.inside, shares.outside, shares.straddling, shares.crossing_w0}, triangles);
+  std::vector<SoupClass> classes;
+  for (std::size_t i = 0; i < kClasses.size(); ++i) {
+    classes.insert(classes.end(), counts[i], kClasses[i]);
+  }
+  random.shuffle(std::span<SoupClass>(classes));
+  return classes;
+}
+
+Scene soup_scene(const SoupShares& shares, const SceneOptions& options) {
+  Scene scene;
+  scene.views = {identity_view()};
+  scene.mesh =
+      make_soup(shares, options.quick ? 4000 : 20000, options.seed, scene.views.front().frustum);
+  return scene;
+}
+
+}  // namespace
+
+SoupClass classify(const Frustum<float>& frustum, const Corners& triangle) {
+  const Frustum<double> f = frustum_cast<double>(frustum);
+  Outcode all = ~Outcode{0};
+  int inside = 0, behind = 0;
+  for (const auto& corner : triangle) {
+    const Place place = place_of(f, corner);
+    if (!place.clear) {
+      return SoupClass::none;
+    }
+    all &= place.outside;
+    inside += place.outside == 0;
+    behind += place.behind_eye;
+  }
+  if (all != 0) {
+    return SoupClass::outside;
+  }
+  if (inside == 3) {
+    return SoupClass::inside;
+  }
+  if (inside == 0) {
+    return SoupClass::none;
+  }
+  return behind == 0 ? SoupClass::straddling : SoupClass::crossing_w0;
+}
+
+Mesh make_soup(const SoupShares& shares, std::size_t triangles, std::uint64_t seed,
+               const Frustum<float>& frustum) {
+  assert(is_valid(frustum));
+  check(shares, frustum);
+  Proposer proposer(frustum, seed);
+  Mesh mesh;
+  for (const SoupClass wanted : shuffled_classes(shares, triangles, proposer.random())) {
+    Corners corners = proposer.propose(wanted);
+    while (classify(frustum, corners) != wanted) {
+      corners = proposer.propose(wanted);
+    }
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const auto& [x, y, z] : corners) {
+      Random& r = proposer.random();
+      const double u = r.uniform(), v = r.uniform(), a = r.uniform(-1, 1), b = r.uniform(-1, 1);
+      add_vertex(mesh, {x, y, z}, {u, v, a, b});
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+Scene make_game_soup_scene(const SceneOptions& options) {
+  return soup_scene({.inside = 60, .outside = 35, .straddling = 5}, options);
+}
+Scene make_inside_soup_scene(const SceneOptions& options) {
+  return soup_scene({.inside = 1}, options);
+}
+Scene make_outside_soup_scene(const SceneOptions& options) {
+  return soup_scene({.outside = 1}, options);
+}
+Scene make_straddling_soup_scene(const SceneOptions& options) {
+  return soup_scene({.straddling = 1}, options);
+}
+Scene make_behind_soup_scene(const SceneOptions& options) {
+  return soup_scene({.crossing_w0 = 1}, options);
+}
+
+}  // namespace clipscope::experiments

@@ -12,14 +12,14 @@ build_dir=$root/build/$preset
 
 packages=(
   g++ cmake ninja-build git ca-certificates
-  libcgal-dev libgmp-dev libmpfr-dev libboost-dev  # exact arithmetic, polyhedra
-  libglm-dev libqd-dev                             # vectors, double-double
-  libopenimageio-dev libopencv-dev libopenexr-dev libimath-dev  # pictures
-  fonts-dejavu-core                                # legends in pictures
-  libassimp-dev                                    # meshes
-  libcli11-dev nlohmann-json3-dev libfmt-dev       # command line, output
-  libtbb-dev                                       # threads
-  catch2 libbenchmark-dev                          # tests, timing
+  libcgal-dev libgmp-dev libmpfr-dev          # exact arithmetic, polyhedra
+  libglm-dev libqd-dev                        # vectors, double-double
+  libopenimageio-dev fonts-dejavu-core        # pictures and the text in them
+  openimageio-tools libopencv-core-dev        # OpenImageIO's CMake package names files of these
+  libassimp-dev                               # meshes
+  libcli11-dev nlohmann-json3-dev libfmt-dev  # command line, output
+  libtbb-dev                                  # threads
+  catch2 libbenchmark-dev                     # tests, timing
 )
 
 # One line per step, with the seconds since the start.

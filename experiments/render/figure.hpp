@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The figure: the tested clipper's picture on the left, on the right where and by how much it is
+// wrong, beneath both a legend with counts and a colour scale; and writing it to a file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "experiments/render/heat_map.hpp"
+#include "experiments/render/image.hpp"
+#include "experiments/render/picture.hpp"
+#include "experiments/render/rasterizer.hpp"
+
+namespace clipscope::experiments {
+
+// ASCII; what is too long is set smaller.
+struct FigureTitles {
+  std::string scene;              // "canyon, view 2"
+  std::string clipper;            // "homogeneous/sutherland_hodgman"
+  std::string scalar;             // "float"
+  std::string against = "exact";  // what the heat map compares with
+};
+
+struct Figure {
+  const FrameBuffer* tested = nullptr;  // never null when composed or written
+  const HeatMap* heat_map = nullptr;    // null: the picture alone
+  FigureTitles titles;
+  PictureOptions picture;
+};
+
+// The figure as an image on white. Small buffers are enlarged by a whole factor, so that text fits.
+// Pre-condition: the heat map has the size of the tested buffer.
+// Throws OutputError if there is no font (see canvas.hpp).
+Image compose(const Figure& figure);
+
+// Throws UsageError, naming the option --out, unless the path ends in .png or .exr (in any case).
+void check_image_path(const std::filesystem::path& path);
+
+// Writes the figure by the path's extension:
+//   .png  the composed figure, 8 bit sRGB
+//   .exr  the data, pixel for pixel, in 32-bit float channels: R G B (the picture, linear light),
+//         depth, inv_w, u, v, facing (1 front, -1 back, 0 nothing), triangle (-1: none; exact below
+//         2^24); with a heat map also heat.R heat.G heat.B, error (in the measure's unit), fate (the
+//         number of the PixelFate)
+// The file appears complete or not at all: it is written beside its place under the name with
+// ".partial" appended, and renamed.
+// Throws UsageError as check_image_path, OutputError with path and reason if it can't be written.
+void write_image(const std::filesystem::path& path, const Figure& figure);
+
+}  // namespace clipscope::experiments

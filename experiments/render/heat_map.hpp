@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares two frame buffers pixel by pixel: categories, errors with units, counts, and a picture.
+//
+// Colours: an error is shown on a logarithmic cividis scale (Nunez, Anderton and Renslow, "Optimizing
+// colormaps with consideration for color vision deficiency", 2018), whose lightness grows with the
+// error also in grey. Its brightest fifth is left out, so that the signal colours of categories
+// (magenta, cyan, yellow) differ from every error also for colour-blind eyes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "experiments/render/image.hpp"
+#include "experiments/render/rasterizer.hpp"
+
+namespace clipscope::experiments {
+
+// What is compared where both buffers show the same side of something.
+enum class PixelMeasure {
+  texels,    // the larger of |du| and |dv|, times 1024: texels of a 1024-texel texture
+  depth_ulp  // depth: the number of floats between the two, in ulp
+};
+
+// The fate of a pixel of the tested buffer against the truth. One pixel has one fate: the first that
+// applies in the order hole, extra, not_finite, flipped; then equal (error 0) or error.
+enum class PixelFate : std::uint8_t {
+  empty,       // neither is covered
+  equal,       // no error at all
+  error,       // error above 0
+  hole,        // truth covered, tested not
+  extra,       // tested covered, truth not
+  flipped,     // front face instead of back face or the reverse
+  not_finite,  // depth or an attribute of either buffer is NaN or infinite
+};
+
+inline constexpr int kPixelFates = 7;
+
+struct HeatMapOptions {
+  PixelMeasure measure = PixelMeasure::texels;
+  double lowest = 1e-5, highest = 1e3;  // ends of the colour scale, in the measure's unit
+  bool dilate = true;  // draw holes, extras, flips and not finite pixels 3 px wide; counts are not
+};
+
+// The default options for a measure: a scale that covers what floats can do to it.
+HeatMapOptions heat_map_options(PixelMeasure measure);
+
+struct HeatMapCounts {
+  std::array<std::uint64_t, kPixelFates> pixels = {};  // by fate; their sum is the buffer's size
+  double max_error = 0;        // over pixels whose fate is equal or error; 0 if there are none
+  double median_error = 0;     // over the same pixels (of an even number the upper one)
+  double share_above_one = 0;  // the share of them above one texel, or one ulp: 0 to 1
+
+  std::uint64_t operator[](PixelFate fate) const { return pixels[static_cast<std::size_t>(fate)]; }
+  std::uint64_t compared() const { return (*this)[PixelFate::equal] + (*this)[PixelFate::error]; }
+};
+
+struct HeatMap {
+  HeatMapOptions options;
+  Image image;
+  std::vector<PixelFate> fate;
+  std::vector<double> error;  // in the measure's unit; 0 where the fate is neither equal nor error
+  HeatMapCounts counts;
+};
+
+// Pre-condition: both buffers have the same size and depth range.
+HeatMap compare(const FrameBuffer& tested, const FrameBuffer& truth,
+                const HeatMapOptions& options = {});
+
+// The colour of a fate; for `error` see error_colour.
+Rgb fate_colour(PixelFate fate);
+
+// The colour at t in [0, 1] of the error scale; values outside take the colour of the nearer end.
+Rgb error_colour(double t);
+
+// Where an error lies on the scale: log(error/lowest) / log(highest/lowest). May leave [0, 1].
+double scale_position(const HeatMapOptions& options, double error);
+
+std::string_view measure_label(PixelMeasure measure);  // with the unit
+std::string_view measure_unit(PixelMeasure measure);
+
+}  // namespace clipscope::experiments

@@ -1,62 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// DRAFT API: the fast exact reference.
+// The fast exact reference: the intersection of a triangle and the view volume, without any rounding.
+//
+// Method: Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974, on barycentric coordinates. A
+// vertex is lambda = (l0, l1, l2) >= 0 over the original triangle, not normalised; its signed distance
+// to plane p is the sum of l_i d_p(vertex i). All of that are sums and products of dyadic numbers, so
+// nothing is rounded and no gcd is taken; the only quotients are those of the result, left undone.
+//
+// Guarantees: exact for every finite input, whatever its exponents. It shares no code with the
+// clippers. `classify` and `clip` may be called from many threads at once.
 #pragma once
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Mpzf.h>
-
-#include <array>
 #include <vector>
 
-#include "spaces/projection.hpp"
+#include "reference/fraction.hpp"
+#include "reference/truth.hpp"
 
 namespace clipscope::reference {
 
-using Rational = CGAL::Exact_rational;
-using Dyadic = CGAL::Mpzf;  // m 2^e: what floats, and sums and products of them, are
-
-// An exact value that needs a division: numerator / denominator, not reduced, denominator > 0.
-struct Fraction {
-  Dyadic numerator, denominator;
+enum class Verdict {
+  rejected,  // nothing of the triangle is in the volume
+  accepted,  // all of it is
+  clipped    // anything else
 };
 
-// A triangle as given: float or double bits, all exactly doubles.
-// position: view space (x, y, z, 1) or clip space (x, y, z, w).
-struct InputVertex {
-  std::array<double, 4> position{};
-  std::array<double, kMaxAttributes> attributes{};
-};
-struct InputTriangle {
-  std::array<InputVertex, 3> vertices;
-  int attribute_count = 0;
-};
-template <Space S, class T, int K>
-InputTriangle input_triangle(const Triangle<S, T, K>& triangle);
-
-enum class TruthKind { frustum, matrix, clip };
-
-// The volume and the projection, in exact numbers.
-class Truth {
- public:
-  static Truth of_frustum(const Frustum<double>& frustum);      // view space, exact frustum numbers
-  static Truth of_matrix(const Projection<float>& projection);  // view space, the matrix as given
-  static Truth of_matrix(const Projection<double>& projection);
-  static Truth of_clip(DepthRange depth);                       // clip space
-};
-
-enum class Verdict { rejected, accepted, clipped };
-
+// A vertex in NDC, with its attributes as the true values at that point.
 struct ExactVertex {
   Fraction x, y, z, inv_w;
   std::vector<Fraction> attributes;
 };
 
-// The closed intersection of triangle and volume, distinct vertices in the triangle's winding: none,
-// one (a point), two (a segment) or three to nine. Edges keep no vertex in their interior.
+// The closed intersection of triangle and volume: no vertex, one (the triangle touches the volume in
+// a point), two (in a segment), or three to nine, in the winding of the input (more after an inset).
+//
+// No two vertices have the same x, y, z. If the triangle has an area in NDC the polygon is strictly
+// convex. If it has none (three points on a line, or a plane through the eye in clip space), its
+// vertices lie on a line, some perhaps between others, and of vertices that coincide the first stays.
 struct ExactPolygon {
-  Verdict verdict;
+  Verdict verdict = Verdict::rejected;
   std::vector<ExactVertex> vertices;
 };
+
+// What the three vertices alone tell. `rejected`: all are outside of the same plane. `accepted`: all
+// are inside, with w > 0. `clipped`: the triangle must be cut to know more; it may turn out empty.
+// No arithmetic beyond doubles is done unless a vertex is within rounding of a plane.
+// Pre-condition: is_finite(triangle).
+Verdict classify(const Truth& truth, const InputTriangle& triangle);
+
+// The verdict is `rejected` exactly if there are no vertices, and `accepted` as `classify` has it.
+// Pre-condition: is_finite(triangle).
+ExactPolygon clip(const Truth& truth, const InputTriangle& triangle);
 
 }  // namespace clipscope::reference

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How fast the reference is, in triangles per second on one core, with position and four attributes.
+// Straddling triangles cross at least one plane and leave something inside.
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "reference/exact_clip.hpp"
+
+namespace {
+
+using namespace clipscope;
+using namespace clipscope::reference;
+
+constexpr int kTriangles = 1024;
+
+InputTriangle random_triangle(std::mt19937& random, double extent) {
+  std::uniform_real_distribution<float> side(-10, 10), depth(-12, 2), offset(-extent, extent);
+  const std::array<float, 3> centre = {side(random), side(random), depth(random)};
+  InputTriangle r;
+  r.attribute_count = 4;
+  for (InputVertex& v : r.vertices) {
+    for (int c = 0; c < 3; ++c) {
+      v.position[c] = centre[c] + offset(random);
+    }
+    for (int k = 0; k < 4; ++k) {
+      v.attributes[k] = side(random);
+    }
+  }
+  return r;
+}
+
+// Triangles with the verdict wanted, and with something left inside if it is `clipped`.
+std::vector<InputTriangle> triangles(const Truth& truth, Verdict wanted) {
+  std::mt19937 random(1);
+  std::vector<InputTriangle> r;
+  while (r.size() < kTriangles) {
+    const InputTriangle triangle = random_triangle(random, wanted == Verdict::clipped ? 4 : 0.5);
+    if (classify(truth, triangle) == wanted &&
+        (wanted == Verdict::rejected || clip(truth, triangle).vertices.size() > 2)) {
+      r.push_back(triangle);
+    }
+  }
+  return r;
+}
+
+Frustum<double> frustum() {
+  Frustum<double> f;
+  f.left = f.bottom = -0.1f;
+  f.right = f.top = 0.1f;
+  f.near = 0.1f;
+  f.far = 100;
+  return f;
+}
+
+template <class Function>
+void run(benchmark::State& state, const std::vector<InputTriangle>& input,
+         const Function& function) {
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(function(input[i]));
+    i = (i + 1) % input.size();
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
+void BM_classify(benchmark::State& state, const Truth& truth, Verdict verdict) {
+  run(state, triangles(truth, verdict),
+      [&](const InputTriangle& triangle) { return classify(truth, triangle); });
+}
+
+void BM_clip(benchmark::State& state, const Truth& truth, Verdict verdict) {
+  run(state, triangles(truth, verdict),
+      [&](const InputTriangle& triangle) { return clip(truth, triangle); });
+}
+
+const Truth kFrustum = Truth::of_frustum(frustum());
+const Truth kMatrix = Truth::of_matrix(Projection<float>(frustum_cast<float>(frustum())));
+
+BENCHMARK_CAPTURE(BM_classify, rejected, kFrustum, Verdict::rejected);
+BENCHMARK_CAPTURE(BM_classify, accepted, kFrustum, Verdict::accepted);
+BENCHMARK_CAPTURE(BM_classify, straddling, kFrustum, Verdict::clipped);
+BENCHMARK_CAPTURE(BM_clip, rejected, kFrustum, Verdict::rejected);
+BENCHMARK_CAPTURE(BM_clip, accepted, kFrustum, Verdict::accepted);
+BENCHMARK_CAPTURE(BM_clip, straddling, kFrustum, Verdict::clipped);
+BENCHMARK_CAPTURE(BM_clip, straddling_matrix, kMatrix, Verdict::clipped);
+
+}  // namespace
+
+BENCHMARK_MAIN();

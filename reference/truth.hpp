@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Truth: which volume a triangle is clipped against, and which projection it then goes through, in
+// exact numbers made from the bits given.
+//
+//   frustum   view-space triangle, exact frustum numbers: what the user meant
+//   matrix    view-space triangle, the float matrix as given: what is true after its rounding
+//   clip      clip-space triangle as given: what is true after the transform's rounding
+//
+// The differences between the three are the error budget: transform, cut, divide.
+//
+// The volume is closed and is given by linear forms d_p over the input coordinates: d_p >= 0 is
+// inside; 0, on the plane, is inside. Where w = 0 the clip position is (0, 0, 0, 0): outside by
+// definition. Forms of view space, perspective (parallel: x + shear_x z instead of the quotient):
+//
+//   left    near x + left z      right  -near x - right z      near   -z - near
+//   bottom  near y + bottom z    top    -near y - top z        far     z + far
+//
+// and of clip space w + x, w - x, w + y, w - y, and by depth range z + w or z, and w - z.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <vector>
+
+#include "reference/fraction.hpp"
+#include "spaces/projection.hpp"
+#include "spaces/vertex.hpp"
+
+namespace clipscope::reference {
+
+// A triangle as given: float or double bits, all of them exactly doubles.
+// position: view space (x, y, z, 1) or clip space (x, y, z, w).
+struct InputVertex {
+  std::array<double, 4> position{0, 0, 0, 1};
+  std::array<double, kMaxAttributes> attributes{};
+};
+
+struct InputTriangle {
+  std::array<InputVertex, 3> vertices;
+  int attribute_count = 0;
+};
+
+// Whether no coordinate or attribute in use is NaN or infinite: the pre-condition of all that follows.
+bool is_finite(const InputTriangle& triangle);
+
+// The triangle of a clipper, bit for bit.
+template <Space S, std::floating_point T, int K>
+requires(S != Space::ndc && sizeof(T) <= sizeof(double)) InputTriangle
+    input_triangle(const Triangle<S, T, K>& triangle) {
+  InputTriangle r;
+  r.attribute_count = triangle[0].attributes.size();
+  for (int i = 0; i < 3; ++i) {
+    for (int c = 0; c < Vertex<S, T, K>::kDimension; ++c) {
+      r.vertices[i].position[c] = triangle[i].position[c];
+    }
+    for (int k = 0; k < r.attribute_count; ++k) {
+      r.vertices[i].attributes[k] = triangle[i].attributes[k];
+    }
+  }
+  return r;
+}
+
+// sum of coefficient * coordinate. Coordinates 0 to 3 are those of InputVertex::position; kOne is the
+// constant 1, in clip space too.
+inline constexpr int kOne = 4;
+
+struct Term {
+  double coefficient;
+  int coordinate;
+};
+using LinearForm = std::vector<Term>;
+
+// The exact value, and the sign of it: -1, 0 or 1. The sign comes from doubles wherever their error
+// bound settles it.
+Dyadic value(const LinearForm& form, const InputVertex& vertex);
+int sign(const LinearForm& form, const InputVertex& vertex);
+
+// One row of the exact projection matrix, times `scale` > 0: where the frustum's numbers ask for a
+// quotient, its divisor is the scale. By coordinate, as in LinearForm.
+struct ProjectionForm {
+  std::array<Dyadic, 5> coefficients;
+  Dyadic scale = 1;
+
+  Dyadic value(const InputVertex& vertex) const;  // scale times the clip coordinate
+};
+
+enum class TruthKind { frustum, matrix, clip };
+
+class Truth {
+ public:
+  // Throws std::invalid_argument unless the frustum is finite and encloses a volume.
+  static Truth of_frustum(const Frustum<double>& frustum);
+  // All six planes come from the matrix as given, with an infinite far plane too; of the frustum only
+  // the depth range is used. Throws std::invalid_argument if the matrix isn't finite.
+  static Truth of_matrix(const Projection<float>& projection);
+  static Truth of_matrix(const Projection<double>& projection);
+  static Truth of_clip(DepthRange depth);
+
+  // The same projection, each plane moved inwards so that d_p >= distance holds, where d_p is the form
+  // w + x and so on of the true clip coordinates (w = -z_view for perspective, 1 for parallel).
+  // A negative distance moves outwards, but w >= 0 remains a condition then, and vertices with w = 0
+  // remain outside. The distance is turned into view-space forms in double: it is a loose bound.
+  // The plane of an infinite far stays where it is.
+  Truth inset(double distance) const;
+
+  TruthKind kind() const { return kind_; }
+
+  // The exact clip coordinates (x, y, z, w) of a vertex.
+  std::array<Rational, 4> clip_position(const InputVertex& vertex) const;
+
+  // The half-spaces of the volume in the order of Plane, and w. An infinite far plane is absent from
+  // a frustum's truth; an outward inset appends w >= 0.
+  struct HalfSpace {
+    LinearForm form;
+    double clip_scale = 1;  // form times clip_scale is w + x and so on
+  };
+  const std::vector<HalfSpace>& half_spaces() const { return half_spaces_; }
+  const LinearForm& w() const { return w_; }
+
+  // x, y and z of the clip position; w has the scale 1.
+  const std::array<ProjectionForm, 3>& projection() const { return projection_; }
+
+ private:
+  template <class T>
+  static Truth of_any_matrix(const Projection<T>& projection);
+
+  TruthKind kind_ = TruthKind::clip;
+  std::vector<HalfSpace> half_spaces_;
+  LinearForm w_;
+  std::array<ProjectionForm, 3> projection_;
+};
+
+}  // namespace clipscope::reference

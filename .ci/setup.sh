@@ -139,7 +139,11 @@ build() {
   say "build: $*, $jobs at a time (log: $log)"
   if ! NINJA_STATUS='[%f/%t] ' cmake --build "$build_dir" --parallel "$jobs" --target "$@" \
     2>&1 </dev/null | tee "$log" | show_progress; then
-    { grep -n -m1 -A 60 '^FAILED: ' "$log" || tail -n 60 "$log"; } >&2
+    if grep -q '^FAILED: ' "$log"; then
+      awk '/^FAILED: / { found = 1 } found && n++ < 60' "$log" >&2
+    else
+      tail -n 60 "$log" >&2
+    fi
     fail "build: failed (log: $log)"
   fi
   if grep -q '^ninja: no work to do' "$log"; then

@@ -88,6 +88,13 @@ constexpr std::array<LegendEntry, 6> kLegend = {{{PixelFate::hole, "hole"},
                                                  {PixelFate::equal, "equal"},
                                                  {PixelFate::empty, "empty"}}};
 
+std::string label(const LegendEntry& entry, const HeatMapOptions& options) {
+  if (entry.fate == PixelFate::equal && options.measure == PixelMeasure::texels) {
+    return fmt::format("below {:g} {}", options.lowest, measure_unit(options.measure));
+  }
+  return std::string(entry.name);
+}
+
 // Colours of categories with their pixel counts: two columns of three rows beneath the picture.
 void draw_categories(Canvas& canvas, const Layout& l, const HeatMap& map) {
   const int column_width = l.panel_width / 2;
@@ -99,9 +106,15 @@ void draw_categories(Canvas& canvas, const Layout& l, const HeatMap& map) {
     const Box swatch{x + 1, y + 1, l.em * 3 / 2, l.em};
     canvas.fill(swatch, fate_colour(kLegend[i].fate));
     canvas.outline(swatch, from_hex(0x8a8d93));
-    canvas.text(x + l.em * 9 / 4, y + l.em * 7 / 8, kLegend[i].name, name);
+    canvas.text(x + l.em * 9 / 4, y + l.em * 7 / 8, label(kLegend[i], map.options), name);
     canvas.text(x + column_width - l.em * 3, y + l.em * 7 / 8,
                 grouped(map.counts[kLegend[i].fate]) + " px", count);
+  }
+  if (map.counts.triangles_not_drawn > 0) {
+    canvas.fitted_text(l.margin, l.legend + l.em * 6, l.panel_width,
+                       fmt::format("{} triangles not drawn: a vertex is not finite",
+                                   grouped(map.counts.triangles_not_drawn)),
+                       {l.em, Weight::regular, Align::left, kFaintInk});
   }
 }
 

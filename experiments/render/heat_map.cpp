@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kTextureSize = 1024;
 
-// The first 8 of 10 equidistant samples of cividis, sRGB.
-constexpr std::array<std::uint32_t, 8> kCividis = {0x00204d, 0x00336f, 0x39486b, 0x575c6d,
-                                                   0x707173, 0x8a8779, 0xa69d75, 0xc4b56c};
+// The first 8 of 10 equidistant samples of viridis, sRGB.
+constexpr std::array<std::uint32_t, 8> kScale = {0x440154, 0x482878, 0x3e4a89, 0x31688e,
+                                                 0x26828e, 0x1f9e89, 0x35b779, 0x6dcd59};
 
 // Counts floats in order: neighbours differ by 1, and -0 equals 0.
 std::int64_t float_index(float x) {
@@ -116,13 +116,14 @@ HeatMap compare(const FrameBuffer& tested, const FrameBuffer& truth,
     map.image.pixels[i] = fate_colour(map.fate[i]);
     if (map.fate[i] == PixelFate::equal) {
       map.error[i] = error_between(tested, truth, i, options.measure);
-      if (map.error[i] > 0) {
+      if (map.error[i] >= options.lowest) {
         map.fate[i] = PixelFate::error;
         map.image.pixels[i] = error_colour(scale_position(options, map.error[i]));
       }
     }
   }
   summarise(map);
+  map.counts.triangles_not_drawn = tested.not_finite;
   if (options.dilate) {
     dilate_signals(map);
   }
@@ -143,10 +144,10 @@ Rgb fate_colour(PixelFate fate) {
 }
 
 Rgb error_colour(double t) {
-  const double last = kCividis.size() - 1;
+  const double last = kScale.size() - 1;
   const double s = t > 0 ? std::min(t, 1.0) * last : 0;
-  const auto i = std::min(static_cast<std::size_t>(s), kCividis.size() - 2);
-  return mix(from_hex(kCividis[i]), from_hex(kCividis[i + 1]),
+  const auto i = std::min(static_cast<std::size_t>(s), kScale.size() - 2);
+  return mix(from_hex(kScale[i]), from_hex(kScale[i + 1]),
              static_cast<float>(s - static_cast<double>(i)));
 }
 
@@ -155,8 +156,9 @@ double scale_position(const HeatMapOptions& options, double error) {
 }
 
 std::string_view measure_label(PixelMeasure measure) {
-  return measure == PixelMeasure::texels ? "texture coordinate error [texels of 1024]"
-                                         : "depth error [ulp]";
+  return measure == PixelMeasure::texels
+             ? "texture coordinate error [texels of a 1024-texel texture]"
+             : "depth error [ulp]";
 }
 
 std::string_view measure_unit(PixelMeasure measure) {

@@ -2,10 +2,11 @@
 //
 // Compares two frame buffers pixel by pixel: categories, errors with units, counts, and a picture.
 //
-// Colours: an error is shown on a logarithmic cividis scale (Nunez, Anderton and Renslow, "Optimizing
-// colormaps with consideration for color vision deficiency", 2018), whose lightness grows with the
-// error also in grey. Its brightest fifth is left out, so that the signal colours of categories
-// (magenta, cyan, yellow) differ from every error also for colour-blind eyes.
+// Colours: an error is shown on a logarithmic viridis scale (Smith and van der Walt, 2015), whose
+// lightness grows with the error, in grey print too. Its brightest fifth is left out and the ground
+// is dark, so that the signal colours of categories (magenta, cyan, yellow, red) stay at least 24
+// apart in CIELAB from every error and from the ground, also with simulated protanopia, deuteranopia
+// and tritanopia (Machado, Oliveira and Fernandes, 2009).
 #pragma once
 
 #include <array>
@@ -26,11 +27,11 @@ enum class PixelMeasure {
 };
 
 // The fate of a pixel of the tested buffer against the truth. One pixel has one fate: the first that
-// applies in the order hole, extra, not_finite, flipped; then equal (error 0) or error.
+// applies in the order hole, extra, not_finite, flipped; then equal or error.
 enum class PixelFate : std::uint8_t {
   empty,       // neither is covered
-  equal,       // no error at all
-  error,       // error above 0
+  equal,       // the error is below the colour scale (in depth: there is none)
+  error,       // the error is on the colour scale or above it
   hole,        // truth covered, tested not
   extra,       // tested covered, truth not
   flipped,     // front face instead of back face or the reverse
@@ -53,6 +54,8 @@ struct HeatMapCounts {
   double max_error = 0;        // over pixels whose fate is equal or error; 0 if there are none
   double median_error = 0;     // over the same pixels (of an even number the upper one)
   double share_above_one = 0;  // the share of them above one texel, or one ulp: 0 to 1
+
+  std::uint64_t triangles_not_drawn = 0;  // of the tested buffer: a vertex is not finite
 
   std::uint64_t operator[](PixelFate fate) const { return pixels[static_cast<std::size_t>(fate)]; }
   std::uint64_t compared() const { return (*this)[PixelFate::equal] + (*this)[PixelFate::error]; }

@@ -35,10 +35,9 @@ class Neighbourhood {
     const bool after = has_after && same(pixel_ + step);
     const double backward = before ? here - field(pixel_ - step) : 0;
     const double forward = after ? field(pixel_ + step) - here : 0;
-    if (before && (!after || std::abs(backward) < std::abs(forward))) {
-      return backward;
-    }
-    return forward;
+    const bool smaller = before && (!after || std::abs(backward) < std::abs(forward));
+    const double change = smaller ? backward : forward;
+    return std::isfinite(change) ? change : 0;
   }
 
   const FrameBuffer& buffer_;
@@ -61,7 +60,7 @@ double checker(const FrameBuffer& buffer, const Neighbourhood& around, std::size
     const double width = std::max(std::abs(d.x), std::abs(d.y)) + 1e-3;
     product *= filtered_wave(buffer.attributes[pixel][k] * cells, width);
   }
-  return std::clamp(0.5 + 0.5 * product, 0.0, 1.0);
+  return std::isfinite(product) ? std::clamp(0.5 + 0.5 * product, 0.0, 1.0) : 0.5;
 }
 
 // Light on the surface, 0 to 1. With X = x w and Y = y w the plane a X + b Y + c w = 1 appears as

@@ -83,8 +83,9 @@ Edge edge_between(const Corner& a, const Corner& b) {
 void draw_pixel(FrameBuffer& target, std::size_t pixel, const Corners& c,
                 const std::array<double, 3>& weight, std::uint32_t triangle, Facing facing) {
   const double sum = weight[0] + weight[1] + weight[2];
-  const double b = sum > 0 ? weight[1] / sum : 1.0 / 3;
-  const double d = sum > 0 ? weight[2] / sum : 1.0 / 3;
+  const bool usable = sum > 0 && std::isfinite(sum);
+  const double b = usable ? weight[1] / sum : 1.0 / 3;
+  const double d = usable ? weight[2] / sum : 1.0 / 3;
   const double z = c[0].z + b * (c[1].z - c[0].z) + d * (c[2].z - c[0].z);
   const auto depth = static_cast<float>(z);
   if (target.covered(pixel) && !is_nearer(target.depth_range, depth, target.depth[pixel])) {
@@ -102,6 +103,24 @@ void draw_pixel(FrameBuffer& target, std::size_t pixel, const Corners& c,
   target.facing[pixel] = facing;
 }
 
+// The pixels [begin, end) of a row.
+struct Span {
+  int begin, end;
+};
+
+Span span_at(const std::array<Edge, 3>& edges, double y, int width) {
+  double left = std::numeric_limits<double>::infinity();
+  double right = -left;
+  for (const Edge& edge : edges) {
+    if (edge.crosses(y)) {
+      const double x = edge.x_at(y);
+      left = std::min(left, x);
+      right = std::max(right, x);
+    }
+  }
+  return {first_pixel(left, width), first_pixel(right, width)};
+}
+
 void draw_triangle(FrameBuffer& target, const Corners& c, std::uint32_t triangle) {
   const double area = doubled_area(c[0], c[1], c[2].x, c[2].y);
   if (!std::isfinite(area)) {
@@ -115,21 +134,12 @@ void draw_triangle(FrameBuffer& target, const Corners& c, std::uint32_t triangle
   const Facing facing = area < 0 ? Facing::front : Facing::back;
   const std::array<Edge, 3> edges = {edge_between(c[0], c[1]), edge_between(c[1], c[2]),
                                      edge_between(c[2], c[0])};
-  const int y_end = first_pixel(std::max({c[0].y, c[1].y, c[2].y}), target.height);
-  for (int row = first_pixel(std::min({c[0].y, c[1].y, c[2].y}), target.height); row < y_end;
-       ++row) {
+  const int row_begin = first_pixel(std::min({c[0].y, c[1].y, c[2].y}), target.height);
+  const int row_end = first_pixel(std::max({c[0].y, c[1].y, c[2].y}), target.height);
+  for (int row = row_begin; row < row_end; ++row) {
     const double y = row + 0.5;
-    double left = std::numeric_limits<double>::infinity();
-    double right = -left;
-    for (const Edge& edge : edges) {
-      if (edge.crosses(y)) {
-        const double x = edge.x_at(y);
-        left = std::min(left, x);
-        right = std::max(right, x);
-      }
-    }
-    const int x_end = first_pixel(right, target.width);
-    for (int column = first_pixel(left, target.width); column < x_end; ++column) {
+    const Span span = span_at(edges, y, target.width);
+    for (int column = span.begin; column < span.end; ++column) {
       const double x = column + 0.5;
       const std::array<double, 3> weight = {std::max(0.0, sign * doubled_area(c[1], c[2], x, y)),
                                             std::max(0.0, sign * doubled_area(c[2], c[0], x, y)),

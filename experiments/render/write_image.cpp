@@ -68,7 +68,8 @@ void add_buffer(std::vector<Channel>& channels, const FrameBuffer& b) {
                         return b.covered(p) ? sign : 0.0;
                       }});
   channels.push_back({"triangle", [&b](std::size_t p) {
-                        return b.triangle[p] == kNoTriangle ? -1.0 : double{1} * b.triangle[p];
+                        return b.triangle[p] == kNoTriangle ? -1.0
+                                                            : static_cast<double>(b.triangle[p]);
                       }});
 }
 
@@ -79,7 +80,8 @@ Raster exr_raster(const Figure& figure, const Image& picture) {
   if (const HeatMap* map = figure.heat_map; map != nullptr) {
     add_rgb(channels, "heat.", map->image);
     channels.push_back({"error", [map](std::size_t p) { return map->error[p]; }});
-    channels.push_back({"fate", [map](std::size_t p) { return double(map->fate[p]); }});
+    channels.push_back(
+        {"fate", [map](std::size_t p) { return static_cast<double>(map->fate[p]); }});
   }
   const auto n = static_cast<int>(channels.size());
   Raster r{OIIO::ImageSpec(picture.width, picture.height, n, OIIO::TypeDesc::FLOAT), {}};

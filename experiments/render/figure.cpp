@@ -88,11 +88,10 @@ constexpr std::array<LegendEntry, 6> kLegend = {{{PixelFate::hole, "hole"},
                                                  {PixelFate::equal, "equal"},
                                                  {PixelFate::empty, "empty"}}};
 
-std::string label(const LegendEntry& entry, const HeatMapOptions& options) {
-  if (entry.fate == PixelFate::equal && options.measure == PixelMeasure::texels) {
-    return fmt::format("below {:g} {}", options.lowest, measure_unit(options.measure));
-  }
-  return std::string(entry.name);
+// In texels, "equal" is what the colour scale can't show; in ulp it is equality.
+std::string_view label(const LegendEntry& entry, PixelMeasure measure) {
+  const bool below = entry.fate == PixelFate::equal && measure == PixelMeasure::texels;
+  return below ? "below scale" : entry.name;
 }
 
 // Colours of categories with their pixel counts: two columns of three rows beneath the picture.
@@ -106,13 +105,13 @@ void draw_categories(Canvas& canvas, const Layout& l, const HeatMap& map) {
     const Box swatch{x + 1, y + 1, l.em * 3 / 2, l.em};
     canvas.fill(swatch, fate_colour(kLegend[i].fate));
     canvas.outline(swatch, from_hex(0x8a8d93));
-    canvas.text(x + l.em * 9 / 4, y + l.em * 7 / 8, label(kLegend[i], map.options), name);
+    canvas.text(x + l.em * 9 / 4, y + l.em * 7 / 8, label(kLegend[i], map.options.measure), name);
     canvas.text(x + column_width - l.em * 3, y + l.em * 7 / 8,
                 grouped(map.counts[kLegend[i].fate]) + " px", count);
   }
   if (map.counts.triangles_not_drawn > 0) {
     canvas.fitted_text(l.margin, l.legend + l.em * 6, l.panel_width,
-                       fmt::format("{} triangles not drawn: a vertex is not finite",
+                       fmt::format("triangles not drawn: {} (a vertex is not finite)",
                                    grouped(map.counts.triangles_not_drawn)),
                        {l.em, Weight::regular, Align::left, kFaintInk});
   }

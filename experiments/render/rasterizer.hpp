@@ -21,7 +21,6 @@
 #include <vector>
 
 #include "spaces/projection.hpp"
-#include "spaces/vertex.hpp"
 
 namespace clipscope::experiments {
 
@@ -35,19 +34,6 @@ struct ScreenVertex {
   double x = 0, y = 0, z = 0, inv_w = 1;
   ScreenAttributes attributes = {};
 };
-
-template <class T, int K>
-ScreenVertex to_screen(const NdcVertex<T, K>& v) {
-  ScreenVertex s{static_cast<double>(v.position[0]),
-                 static_cast<double>(v.position[1]),
-                 static_cast<double>(v.position[2]),
-                 static_cast<double>(v.position[3]),
-                 {}};
-  for (int k = 0; k < v.attributes.size() && k < kScreenAttributes; ++k) {
-    s.attributes[k] = static_cast<double>(v.attributes[k]);
-  }
-  return s;
-}
 
 // What a pixel shows: nothing, a front face (counter-clockwise in NDC) or a back face.
 enum class Facing : std::uint8_t { none, front, back };

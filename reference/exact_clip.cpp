@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <tuple>
 #include <utility>
 
 namespace clipscope::reference {
@@ -144,7 +145,15 @@ bool coincide(const ExactVertex& a, const ExactVertex& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
+auto members(const RationalVertex& v) { return std::tie(v.x, v.y, v.z, v.inv_w, v.attributes); }
+
 }  // namespace
+
+bool operator==(const RationalVertex& a, const RationalVertex& b) {
+  return members(a) == members(b);
+}
+
+bool operator<(const RationalVertex& a, const RationalVertex& b) { return members(a) < members(b); }
 
 Verdict classify(const Truth& truth, const InputTriangle& triangle) {
   assert(is_finite(triangle));
@@ -179,6 +188,18 @@ ExactPolygon clip(const Truth& truth, const InputTriangle& triangle) {
   if (!r.vertices.empty()) {
     r.verdict = sides.verdict;
   }
+  return r;
+}
+
+std::vector<RationalVertex> vertex_set(const ExactPolygon& polygon) {
+  std::vector<RationalVertex> r;
+  for (const ExactVertex& v : polygon.vertices) {
+    r.push_back({to_rational(v.x), to_rational(v.y), to_rational(v.z), to_rational(v.inv_w), {}});
+    for (const Fraction& attribute : v.attributes) {
+      r.back().attributes.push_back(to_rational(attribute));
+    }
+  }
+  std::sort(r.begin(), r.end());
   return r;
 }
 

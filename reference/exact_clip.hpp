@@ -41,6 +41,14 @@ struct ExactPolygon {
   std::vector<ExactVertex> vertices;
 };
 
+// A vertex as rational numbers, for comparing with other exact computations; ordered by its members.
+struct RationalVertex {
+  Rational x, y, z, inv_w;
+  std::vector<Rational> attributes;
+};
+bool operator==(const RationalVertex& a, const RationalVertex& b);
+bool operator<(const RationalVertex& a, const RationalVertex& b);
+
 // What the three vertices alone tell. `rejected`: all are outside of the same plane. `accepted`: all
 // are inside, with w > 0. `clipped`: the triangle must be cut to know more; it may turn out empty.
 // No arithmetic beyond doubles is done unless a vertex is within rounding of a plane.
@@ -50,5 +58,8 @@ Verdict classify(const Truth& truth, const InputTriangle& triangle);
 // The verdict is `rejected` exactly if there are no vertices, and `accepted` as `classify` has it.
 // Pre-condition: is_finite(triangle).
 ExactPolygon clip(const Truth& truth, const InputTriangle& triangle);
+
+// The polygon's vertices, sorted.
+std::vector<RationalVertex> vertex_set(const ExactPolygon& polygon);
 
 }  // namespace clipscope::reference

@@ -31,27 +31,6 @@ inline Rational ratio(long numerator, long denominator) {
   return Rational(n / d);
 }
 
-// x, y, z, 1/w, attributes.
-using Values = std::vector<Rational>;
-
-inline Values values(const ExactVertex& v) {
-  Values r = {to_rational(v.x), to_rational(v.y), to_rational(v.z), to_rational(v.inv_w)};
-  for (const Fraction& a : v.attributes) {
-    r.push_back(to_rational(a));
-  }
-  return r;
-}
-
-// The vertices as a set: sorted.
-inline std::vector<Values> vertex_set(const ExactPolygon& polygon) {
-  std::vector<Values> r;
-  for (const ExactVertex& v : polygon.vertices) {
-    r.push_back(values(v));
-  }
-  std::sort(r.begin(), r.end());
-  return r;
-}
-
 // l = b = -1, r = t = 1, near 1, far 10, depth -1 to 1.
 inline Frustum<double> unit_frustum() { return {}; }
 

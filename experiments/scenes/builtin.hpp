@@ -18,7 +18,7 @@ namespace clipscope::experiments {
 
 struct SceneOptions {
   std::uint64_t seed = 1;  // of the scenes that are random
-  bool quick = false;      // about a fifth of the triangles
+  bool quick = false;      // about a quarter of the triangles
 };
 
 struct SceneInfo {

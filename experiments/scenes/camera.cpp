@@ -92,11 +92,11 @@ double near_of(const Subject& subject, const CameraOptions& options) {
   return options.far ? std::min(near, *options.far / 1000) : near;
 }
 
-// `depth` is what lies behind the far plane's default place.
+// `depth` is where the far plane lies by default.
 View place(std::string label, const Subject& subject, const CameraOptions& options,
            const dvec3& eye, const dvec3& target, double depth) {
   const double near = near_of(subject, options);
-  const double far = options.far.value_or(std::max(depth, 1000 * near));
+  const double far = options.far.value_or(std::max(depth, 2 * near));
   Frustum<float> frustum = perspective_frustum(options.fovy_degrees, options.aspect, near, far);
   frustum.depth = options.depth;
   return {std::move(label), look_at(eye, target, up_for(target - eye, options)), frustum};
@@ -112,11 +112,12 @@ double radical_inverse(int base, int n) {
   return value;
 }
 
-// The n-th of a fixed sequence of directions, spread over the sphere and never along an axis.
+// The n-th of a fixed sequence of directions, spread over the sphere, upwards for even n and downwards
+// for odd n; never along an axis.
 dvec3 spread_direction(int n) {
-  const dvec3 p(2 * radical_inverse(2, n + 1) - 1, 2 * radical_inverse(3, n + 1) - 1,
-                2 * radical_inverse(5, n + 1) - 1);
-  return glm::normalize(p + dvec3(0.11, 0.07, 0.13));
+  const double x = 2 * radical_inverse(2, n + 1) - 0.9, z = 2 * radical_inverse(5, n + 1) - 0.85;
+  const double y = 0.2 + radical_inverse(3, n + 1);
+  return glm::normalize(dvec3(x, n % 2 == 0 ? y : -y, z));
 }
 
 // A fixed choice of triangles with an area, spread over the mesh; the first triangle if none has one.
@@ -169,9 +170,8 @@ View through_surface(int n, const Subject& subject, const CameraOptions& options
   }
   const dvec3 eye = centroid - near_of(subject, options) * forward;
   const double depth = cut_far ? 0.5 * subject.reach(eye) : 1.01 * subject.reach(eye);
-  View view = place(fmt::format("{}: {}", n, cut_far ? "through, short far" : "through"), subject,
-                    options, eye, eye + forward * subject.radius, depth);
-  return view;
+  return place(fmt::format("{}: {}", n, cut_far ? "through, short far" : "through"), subject,
+               options, eye, eye + forward * subject.radius, depth);
 }
 
 View from_inside(int n, const Subject& subject, const CameraOptions& options) {

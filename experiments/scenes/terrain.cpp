@@ -110,7 +110,7 @@ Scene make_terrain_scene(const SceneOptions& options) {
       make_view("low", above(-40, 60, 3), above(-20, 0, 0), 0.1, 500),
       make_view("on the ground", above(0, 0, 0.15), above(12, -8, 0.5), 0.1, 100),
       make_view("banking", above(40, -30, 8), above(20, -50, -10), 0.1, 60),
-      make_view("through a hill", above(20, 20, -1), above(-30, -10, -2), 0.1, 500),
+      make_view("from underground", above(20, 20, -1), above(-30, -10, -2), 0.1, 500),
   };
   return scene;
 }

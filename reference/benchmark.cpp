@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How fast the reference is, in triangles per second on one core, with position and four attributes.
+// How fast the reference is: triangles (BM_value: values) per second on one core, with position and
+// four attributes.
 // Straddling triangles cross at least one plane and leave something inside.
 #include <benchmark/benchmark.h>
 
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "reference/exact_clip.hpp"
+#include "reference/gold.hpp"
 
 namespace {
 
@@ -77,6 +79,29 @@ void BM_clip(benchmark::State& state, const Truth& truth, Verdict verdict) {
       [&](const InputTriangle& triangle) { return clip(truth, triangle); });
 }
 
+void BM_gold(benchmark::State& state, const Truth& truth, Verdict verdict) {
+  run(state, triangles(truth, verdict),
+      [](const InputTriangle& triangle) { return gold_of_frustum(frustum(), triangle); });
+}
+
+// The way back to floating point, per value: all coordinates and attributes of straddling triangles.
+template <class Function>
+void BM_value(benchmark::State& state, const Truth& truth, const Function& function) {
+  std::vector<Fraction> values;
+  for (const InputTriangle& triangle : triangles(truth, Verdict::clipped)) {
+    for (const ExactVertex& v : clip(truth, triangle).vertices) {
+      values.insert(values.end(), {v.x, v.y, v.z, v.inv_w});
+      values.insert(values.end(), v.attributes.begin(), v.attributes.end());
+    }
+  }
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(function(values[i]));
+    i = (i + 1) % values.size();
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
 const Truth kFrustum = Truth::of_frustum(frustum());
 const Truth kMatrix = Truth::of_matrix(Projection<float>(frustum_cast<float>(frustum())));
 
@@ -87,6 +112,11 @@ BENCHMARK_CAPTURE(BM_clip, rejected, kFrustum, Verdict::rejected);
 BENCHMARK_CAPTURE(BM_clip, accepted, kFrustum, Verdict::accepted);
 BENCHMARK_CAPTURE(BM_clip, straddling, kFrustum, Verdict::clipped);
 BENCHMARK_CAPTURE(BM_clip, straddling_matrix, kMatrix, Verdict::clipped);
+BENCHMARK_CAPTURE(BM_gold, straddling, kFrustum, Verdict::clipped);
+BENCHMARK_CAPTURE(BM_value, approximate, kFrustum, approximate);
+BENCHMARK_CAPTURE(BM_value, error_of, kFrustum, [](const Fraction& f) { return error_of(1.0, f); });
+BENCHMARK_CAPTURE(BM_value, round_to_float, kFrustum, round_to<float>);
+BENCHMARK_CAPTURE(BM_value, round_to_double, kFrustum, round_to<double>);
 
 }  // namespace
 

@@ -39,6 +39,9 @@ class GltfDocument {
   // An index into a list; none where it is missing.
   std::optional<std::size_t> index_in(const Json& object, const char* name, const char* list,
                                       const std::string& at) const;
+  // The same where it must not be missing.
+  std::size_t required_index_in(const Json& object, const char* name, const char* list,
+                                const std::string& at) const;
   // A list of indices into another list; empty where it is missing.
   std::vector<std::size_t> indices_in(const Json& object, const char* name, const char* list,
                                       const std::string& at) const;

@@ -6,17 +6,14 @@
 // Texture coordinates and normals that are not floats are left out.
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
-#include <cstring>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "experiments/scenes/gltf.hpp"
+#include "experiments/scenes/gltf_accessor.hpp"
 #include "experiments/scenes/text_file.hpp"
 
 namespace clipscope::experiments {
@@ -25,134 +22,12 @@ namespace {
 using Json = GltfDocument::Json;
 
 constexpr std::size_t kMostNested = 1000;  // assimp descends recursively
-constexpr std::size_t kFloat = 5126, kUnsignedByte = 5121, kUnsignedShort = 5123,
-                      kUnsignedInt = 5125;
 constexpr std::size_t kTriangles = 4, kTriangleFan = 6;
-
-std::size_t bytes_of(std::size_t component_type) {
-  switch (component_type) {
-    case 5120:
-    case kUnsignedByte: return 1;
-    case 5122:
-    case kUnsignedShort: return 2;
-    case kUnsignedInt:
-    case kFloat: return 4;
-    default: return 0;
-  }
-}
-
-std::size_t components_of(const Json& type) {
-  for (const auto& [name, components] :
-       {std::pair{"SCALAR", 1u}, {"VEC2", 2u}, {"VEC3", 3u}, {"VEC4", 4u}}) {
-    if (type == name) {
-      return components;
-    }
-  }
-  return 0;
-}
-
-// The elements of an accessor, checked to lie within the bytes.
-struct Accessor {
-  std::string at;
-  Json type;
-  std::size_t component_type = 0, component_bytes = 0, components = 0;
-  std::size_t count = 0;
-  std::size_t start = 0, stride = 0;  // in bytes; start within Gltf::bytes
-
-  std::size_t element_bytes() const { return component_bytes * components; }
-  std::size_t extent() const { return (count - 1) * stride + element_bytes(); }
-};
-
-// Reads accessors and their values.
-class AccessorReader {
- public:
-  explicit AccessorReader(const Gltf& gltf) : gltf_(gltf), document_(gltf.document) {}
-
-  Accessor read(std::size_t index) const {
-    Accessor a;
-    a.at = GltfDocument::place("accessors", index);
-    const Json& json = document_.object_of("accessors", index);
-    if (json.contains("sparse")) {
-      document_.fail(fmt::format("{} is sparse; a plain one expected", a.at));
-    }
-    a.component_type = document_.size_in(json, "componentType", a.at);
-    a.component_bytes = bytes_of(a.component_type);
-    a.type = json.value("type", Json());
-    a.components = components_of(a.type);
-    if (a.element_bytes() == 0) {
-      document_.fail(
-          fmt::format("{} is of type {} and componentType {}; SCALAR, VEC2, VEC3 or VEC4 and "
-                      "5120 to 5123, 5125 or 5126 expected",
-                      a.at, a.type.dump(), a.component_type));
-    }
-    a.count = document_.size_in(json, "count", a.at);
-    if (a.count == 0) {
-      document_.fail(fmt::format("{}.count is 0; at least 1 expected", a.at));
-    }
-    place_in_view(a, json);
-    return a;
-  }
-
-  // A component as a number: floats and unsigned whole numbers only.
-  double value(const Accessor& a, std::size_t element, std::size_t component) const {
-    const char* source =
-        gltf_.bytes.data() + a.start + element * a.stride + component * a.component_bytes;
-    switch (a.component_type) {
-      case kFloat: return read_as<float>(source);
-      case kUnsignedByte: return read_as<std::uint8_t>(source);
-      case kUnsignedShort: return read_as<std::uint16_t>(source);
-      default: return read_as<std::uint32_t>(source);
-    }
-  }
-
- private:
-  template <class T>
-  static T read_as(const char* source) {
-    T value;
-    std::memcpy(&value, source, sizeof value);
-    return value;
-  }
-
-  void place_in_view(Accessor& a, const Json& json) const {
-    const auto index = document_.index_in(json, "bufferView", "bufferViews", a.at);
-    if (!index) {
-      document_.fail(fmt::format("{}.bufferView is missing", a.at));
-    }
-    const std::string at = GltfDocument::place("bufferViews", *index);
-    const Json& view = document_.object_of("bufferViews", *index);
-    const auto buffer = document_.index_in(view, "buffer", "buffers", at);
-    if (!buffer) {
-      document_.fail(fmt::format("{}.buffer is missing", at));
-    }
-    const std::size_t offset = document_.size_in(view, "byteOffset", at, 0);
-    const std::size_t length = document_.size_in(view, "byteLength", at);
-    const std::size_t available = gltf_.buffer_start[*buffer + 1] - gltf_.buffer_start[*buffer];
-    if (offset + length > available) {
-      document_.fail(fmt::format("{} ends at byte {} of {}, which has {} bytes", at,
-                                 offset + length, GltfDocument::place("buffers", *buffer),
-                                 available));
-    }
-    a.stride = document_.size_in(view, "byteStride", at, a.element_bytes());
-    if (a.stride < a.element_bytes() || a.stride > 252) {
-      document_.fail(
-          fmt::format("{}.byteStride is {}; {} to 252 expected", at, a.stride, a.element_bytes()));
-    }
-    const std::size_t inner = document_.size_in(json, "byteOffset", a.at, 0);
-    if (inner + a.extent() > length) {
-      document_.fail(fmt::format("{} ends at byte {} of {}, which has {} bytes", a.at,
-                                 inner + a.extent(), at, length));
-    }
-    a.start = gltf_.buffer_start[*buffer] + offset + inner;
-  }
-
-  const Gltf& gltf_;
-  const GltfDocument& document_;
-};
 
 // Builds the file that holds the geometry alone.
 class Packer {
  public:
-  explicit Packer(const Gltf& gltf) : gltf_(gltf), document_(gltf.document), reader_(gltf) {}
+  explicit Packer(const Gltf& gltf) : gltf_(gltf), document_(gltf.document) {}
 
   std::string pack() {
     check_asset();
@@ -219,21 +94,18 @@ class Packer {
     const auto found = primitive.find("attributes");
     const Json& attributes = found != primitive.end() && found->is_object() ? *found : none;
     const std::string inner = at + ".attributes";
-    const auto index = document_.index_in(attributes, "POSITION", "accessors", inner);
-    if (!index) {
-      document_.fail(fmt::format("{}.POSITION is missing", inner));
-    }
-    const Accessor positions = reader_.read(*index);
+    const GltfAccessor positions = read_accessor(
+        gltf_, document_.required_index_in(attributes, "POSITION", "accessors", inner));
     check_positions(positions);
     Json packed = {{"mode", mode}, {"attributes", {{"POSITION", add(positions)}}}};
     for (const auto& [name, components] : {std::pair{"NORMAL", 3u}, {"TEXCOORD_0", 2u}}) {
       if (const auto extra = document_.index_in(attributes, name, "accessors", inner)) {
-        add_attribute(packed, name, components, reader_.read(*extra), positions.count);
+        add_attribute(packed, name, components, read_accessor(gltf_, *extra), positions.count);
       }
     }
     std::size_t corners = positions.count;
     if (const auto list = document_.index_in(primitive, "indices", "accessors", at)) {
-      const Accessor indices = reader_.read(*list);
+      const GltfAccessor indices = read_accessor(gltf_, *list);
       check_indices(indices, positions.count);
       packed["indices"] = add(indices);
       corners = indices.count;
@@ -245,16 +117,16 @@ class Packer {
     return packed;
   }
 
-  void check_positions(const Accessor& positions) const {
+  void check_positions(const GltfAccessor& positions) const {
     if (positions.component_type != kFloat || positions.components != 3) {
       document_.fail(
-          fmt::format("{} holds positions and is of type {} and componentType {}; \"VEC3\" "
+          fmt::format("{} holds positions and is of type '{}' and componentType {}; VEC3 "
                       "and 5126 (float) expected",
-                      positions.at, positions.type.dump(), positions.component_type));
+                      positions.at, positions.type, positions.component_type));
     }
     for (std::size_t i = 0; i < positions.count; ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::string defect = defect_of(reader_.value(positions, i, k));
+        const std::string defect = defect_of(component_of(gltf_, positions, i, k));
         if (!defect.empty()) {
           document_.fail(fmt::format("{}: vertex {}: {} is {}; a finite number was expected",
                                      positions.at, i, "xyz"[k], defect));
@@ -263,18 +135,18 @@ class Packer {
     }
   }
 
-  void check_indices(const Accessor& indices, std::size_t vertices) const {
+  void check_indices(const GltfAccessor& indices, std::size_t vertices) const {
     const bool is_unsigned = indices.component_type == kUnsignedByte ||
                              indices.component_type == kUnsignedShort ||
                              indices.component_type == kUnsignedInt;
     if (!is_unsigned || indices.components != 1) {
       document_.fail(
-          fmt::format("{} holds indices and is of type {} and componentType {}; \"SCALAR\" "
+          fmt::format("{} holds indices and is of type '{}' and componentType {}; SCALAR "
                       "and 5121, 5123 or 5125 expected",
-                      indices.at, indices.type.dump(), indices.component_type));
+                      indices.at, indices.type, indices.component_type));
     }
     for (std::size_t i = 0; i < indices.count; ++i) {
-      const double index = reader_.value(indices, i, 0);
+      const double index = component_of(gltf_, indices, i, 0);
       if (index >= static_cast<double>(vertices)) {
         document_.fail(fmt::format("{}: index {} refers to vertex {}, but there are only {}",
                                    indices.at, i, index, vertices));
@@ -283,7 +155,7 @@ class Packer {
   }
 
   void add_attribute(Json& packed, const char* name, std::size_t components,
-                     const Accessor& accessor, std::size_t vertices) {
+                     const GltfAccessor& accessor, std::size_t vertices) {
     if (accessor.count != vertices) {
       document_.fail(fmt::format("{} holds {} of {} vertices; {} expected", accessor.at, name,
                                  accessor.count, vertices));
@@ -294,7 +166,7 @@ class Packer {
   }
 
   // Adds the accessor with a view of its own and yields its index.
-  std::size_t add(const Accessor& a) {
+  std::size_t add(const GltfAccessor& a) {
     Json& views = packed_["bufferViews"];
     Json& accessors = packed_["accessors"];
     Json view = {{"buffer", 0}, {"byteOffset", a.start}, {"byteLength", a.extent()}};
@@ -419,7 +291,6 @@ class Packer {
 
   const Gltf& gltf_;
   const GltfDocument& document_;
-  AccessorReader reader_;
   Json packed_;
 };
 

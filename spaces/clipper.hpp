@@ -29,9 +29,9 @@ namespace clipscope {
 // `clipscope verify` checks it on every triangle, and the tests try to break it.
 struct Promise {
   enum class Domain {
-    any,           // every finite triangle
-    in_front,      // all vertices on the inner side of the near plane (hence w > 0 in perspective)
-    all_or_nothing // every finite triangle, but a straddling one is kept or dropped whole
+    any,            // every finite triangle
+    in_front,       // all vertices on the inner side of the near plane (hence w > 0 in perspective)
+    all_or_nothing  // every finite triangle, but a straddling one is kept or dropped whole
   };
   enum class Amplification { none, w_ratio };
 
@@ -44,14 +44,16 @@ struct Promise {
 };
 
 template <class C, class T, int K>
-concept ClipsViewTriangles =
-    requires(const C clip, const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
-             NdcPolygon<T, K>& out) { clip(projection, triangle, out); };
+concept ClipsViewTriangles = requires(const C clip, const Projection<T>& projection,
+                                      const ViewTriangle<T, K>& triangle, NdcPolygon<T, K>& out) {
+  clip(projection, triangle, out);
+};
 
 template <class C, class T, int K>
-concept ClipsClipTriangles =
-    requires(const C clip, DepthRange depth, const ClipTriangle<T, K>& triangle,
-             NdcPolygon<T, K>& out) { clip(depth, triangle, out); };
+concept ClipsClipTriangles = requires(const C clip, DepthRange depth,
+                                      const ClipTriangle<T, K>& triangle, NdcPolygon<T, K>& out) {
+  clip(depth, triangle, out);
+};
 
 template <class C>
 concept Clipper = std::is_empty_v<C> && std::default_initializable<C> && requires {

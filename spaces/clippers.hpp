@@ -12,14 +12,13 @@
 
 namespace clipscope {
 
-using AllClippers = TypeList<
-    Textbook,                      //
-    ViewSutherlandHodgman,         //
-    HomogeneousSutherlandHodgman,  //
-    CvvNaive,                      //
-    CvvPerspective,                //
-    CvvNearFirst,                  //
-    WholeAnyOutside,               //
-    WholeAllOutside>;
+using AllClippers = TypeList<Textbook,                      //
+                             ViewSutherlandHodgman,         //
+                             HomogeneousSutherlandHodgman,  //
+                             CvvNaive,                      //
+                             CvvPerspective,                //
+                             CvvNearFirst,                  //
+                             WholeAnyOutside,               //
+                             WholeAllOutside>;
 
 }  // namespace clipscope

@@ -33,9 +33,7 @@ class Counting {
  public:
   constexpr Counting() = default;
   constexpr Counting(const T& value) : value_(value) {}  // NOLINT: as implicit as T itself
-  constexpr explicit Counting(int value)
-    requires(!std::same_as<T, int>)
-      : value_(T(value)) {}
+  constexpr explicit Counting(int value) requires(!std::same_as<T, int>) : value_(T(value)) {}
 
   constexpr const T& value() const { return value_; }
 

@@ -45,8 +45,7 @@ constexpr T view_distance(const Frustum<T>& f, Plane plane, const Vec3<T>& v) {
     case Plane::top:
       if (perspective) return -(f.near * v[1]) - f.top * v[2];
       return f.top - (v[1] + f.shear_y * v[2]);
-    case Plane::near:
-      return -v[2] - f.near;
+    case Plane::near: return -v[2] - f.near;
     case Plane::far:
       if (f.infinite_far) return T(1);
       return v[2] + f.far;
@@ -59,14 +58,10 @@ template <Scalar T>
 constexpr T volume_distance(DepthRange depth, Plane plane, const Vec4<T>& v, const T& one) {
   const bool reversed = depth == DepthRange::reversed;
   switch (plane) {
-    case Plane::left:
-      return one + v[0];
-    case Plane::right:
-      return one - v[0];
-    case Plane::bottom:
-      return one + v[1];
-    case Plane::top:
-      return one - v[1];
+    case Plane::left: return one + v[0];
+    case Plane::right: return one - v[0];
+    case Plane::bottom: return one + v[1];
+    case Plane::top: return one - v[1];
     case Plane::near:
       if (depth == DepthRange::minus_one_to_one) return one + v[2];
       if (reversed) return one - v[2];
@@ -138,6 +133,8 @@ struct TriangleOutcode {
   Outcode any;  // planes that some vertex is outside of: no bit set accepts it
 };
 
-constexpr TriangleOutcode combine(Outcode a, Outcode b, Outcode c) { return {a & b & c, a | b | c}; }
+constexpr TriangleOutcode combine(Outcode a, Outcode b, Outcode c) {
+  return {a & b & c, a | b | c};
+}
 
 }  // namespace clipscope

@@ -33,7 +33,7 @@ struct Frustum {
   ProjectionKind kind = ProjectionKind::perspective;
   T left = T(-1), right = T(1), bottom = T(-1), top = T(1);
   T near = T(1), far = T(10);
-  bool infinite_far = false;  // `far` is then ignored; perspective only
+  bool infinite_far = false;         // `far` is then ignored; perspective only
   T shear_x = T(0), shear_y = T(0);  // oblique parallel projection; 0 for perspective
   DepthRange depth = DepthRange::minus_one_to_one;
 
@@ -43,8 +43,8 @@ struct Frustum {
 // The same frustum in another scalar; exact where T can hold the numbers given.
 template <Scalar T, Scalar U>
 constexpr Frustum<T> frustum_cast(const Frustum<U>& f) {
-  return {f.kind,           T(f.left),      T(f.right),     T(f.bottom), T(f.top), T(f.near), T(f.far),
-          f.infinite_far,   T(f.shear_x),   T(f.shear_y),   f.depth};
+  return {f.kind,   T(f.left),      T(f.right),   T(f.bottom),  T(f.top), T(f.near),
+          T(f.far), f.infinite_far, T(f.shear_x), T(f.shear_y), f.depth};
 }
 
 // Whether the frustum encloses a volume.
@@ -122,9 +122,7 @@ struct Projection {
         z.z = T(-1);
         z.one = -frustum.near;
         break;
-      case DepthRange::reversed:
-        z.one = frustum.near;
-        break;
+      case DepthRange::reversed: z.one = frustum.near; break;
     }
   }
 

@@ -43,8 +43,7 @@ constexpr NdcVertex<T, K> interpolate_perspective(const NdcVertex<T, K>& inside,
   }
   const T eye_t = t * outside.position[3] / inv_w;
   for (int k = 0; k < r.attributes.size(); ++k) {
-    r.attributes[k] =
-        inside.attributes[k] + eye_t * (outside.attributes[k] - inside.attributes[k]);
+    r.attributes[k] = inside.attributes[k] + eye_t * (outside.attributes[k] - inside.attributes[k]);
   }
   return r;
 }
@@ -141,9 +140,9 @@ struct CvvNearFirst {
   static constexpr std::string_view name = "cvv/near_first";
   static constexpr std::string_view summary =
       "homogeneous cut by the near plane, divide, then Sutherland-Hodgman in NDC";
-  static constexpr std::string_view source = "Blinn, A Trip Down the Graphics Pipeline: Line Clipping, 1991";
-  static constexpr Promise promise{.ulps = 64,
-                                   .amplification = Promise::Amplification::w_ratio};
+  static constexpr std::string_view source =
+      "Blinn, A Trip Down the Graphics Pipeline: Line Clipping, 1991";
+  static constexpr Promise promise{.ulps = 64, .amplification = Promise::Amplification::w_ratio};
 
   template <Scalar T, int K>
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
@@ -157,9 +156,8 @@ struct CvvNearFirst {
     out.clear();
     ClipPolygon<T, K> polygon, in_front;
     polygon.assign(triangle);
-    cut(polygon, in_front, [&](const ClipVertex<T, K>& v) {
-      return clip_distance(depth, Plane::near, v.position);
-    });
+    cut(polygon, in_front,
+        [&](const ClipVertex<T, K>& v) { return clip_distance(depth, Plane::near, v.position); });
     for (const ClipVertex<T, K>& v : in_front) {
       if (!(T(0) < v.position[3])) {
         return;

@@ -52,7 +52,7 @@ struct HomogeneousSutherlandHodgman {
   }
 
  private:
-  static constexpr std::array<Plane, kPlanes> kOrder = {Plane::near, Plane::far,    Plane::left,
+  static constexpr std::array<Plane, kPlanes> kOrder = {Plane::near,  Plane::far,    Plane::left,
                                                         Plane::right, Plane::bottom, Plane::top};
 
   // A vertex inside all planes has w >= |x| >= 0; only (0, 0, 0, 0) has w = 0, and is outside.

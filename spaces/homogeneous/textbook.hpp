@@ -19,7 +19,8 @@ namespace clipscope {
 struct Textbook {
   static constexpr std::string_view name = "textbook";
   static constexpr std::string_view summary =
-      "Sutherland-Hodgman over six plane vectors, dynamic arrays copied at each plane (the baseline)";
+      "Sutherland-Hodgman over six plane vectors, dynamic arrays copied at each plane (the "
+      "baseline)";
   static constexpr std::string_view source =
       "Sutherland and Hodgman, Reentrant Polygon Clipping, 1974";
   static constexpr Promise promise{.ulps = 64};
@@ -31,7 +32,8 @@ struct Textbook {
   }
 
   template <Scalar T, int K>
-  void operator()(DepthRange depth, const ClipTriangle<T, K>& triangle, NdcPolygon<T, K>& out) const {
+  void operator()(DepthRange depth, const ClipTriangle<T, K>& triangle,
+                  NdcPolygon<T, K>& out) const {
     std::vector<ClipVertex<T, K>> polygon(triangle.begin(), triangle.end());
     for (const Vec4<T>& plane : plane_vectors<T>(depth)) {
       polygon = clip_against(plane, polygon);
@@ -50,8 +52,8 @@ struct Textbook {
   static std::vector<Vec4<T>> plane_vectors(DepthRange depth) {
     const T o(0), i(1), m(-1);
     const bool full_range = depth == DepthRange::minus_one_to_one;
-    return {{i, o, o, i}, {m, o, o, i}, {o, i, o, i},
-            {o, m, o, i}, {o, o, i, full_range ? i : o}, {o, o, m, i}};
+    return {{i, o, o, i}, {m, o, o, i}, {o, i, o, i}, {o, m, o, i}, {o, o, i, full_range ? i : o},
+            {o, o, m, i}};
   }
 
   template <Scalar T>

@@ -21,7 +21,8 @@ namespace clipscope {
 struct ViewSutherlandHodgman {
   static constexpr std::string_view name = "view/sutherland_hodgman";
   static constexpr std::string_view summary =
-      "Sutherland-Hodgman in view space against unnormalised frustum planes, then project and divide";
+      "Sutherland-Hodgman in view space against unnormalised frustum planes, then project and "
+      "divide";
   static constexpr std::string_view source =
       "Sutherland and Hodgman, Reentrant Polygon Clipping, 1974";
   static constexpr Promise promise{.ulps = 64};

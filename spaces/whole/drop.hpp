@@ -23,12 +23,11 @@ struct WholeTriangle {
   static constexpr std::string_view name = kAny ? "whole/any_outside" : "whole/all_outside";
   static constexpr std::string_view summary =
       kAny ? "no cut: drops a triangle if any vertex is outside (holes at the border)"
-           : "no cut: drops a triangle if all vertices are outside one plane (reaches out of the volume)";
+           : "no cut: drops a triangle if all vertices are outside one plane (reaches out of the "
+             "volume)";
   static constexpr std::string_view source = "practice of early real-time renderers";
-  static constexpr Promise promise{.domain = Promise::Domain::all_or_nothing,
-                                   .covers = !kAny,
-                                   .contained = kAny,
-                                   .ulps = 64};
+  static constexpr Promise promise{
+      .domain = Promise::Domain::all_or_nothing, .covers = !kAny, .contained = kAny, .ulps = 64};
 
   template <Scalar T, int K>
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The commands of the program clipscope. Each function adds one to the command line; when the user
+// chose it, `action` is what main then runs, and its result is the exit code (errors.hpp).
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace clipscope::experiments {
+
+using Action = std::function<int()>;
+
+void add_list_command(CLI::App& app, Action& action);
+void add_run_command(CLI::App& app, Action& action);
+void add_compare_command(CLI::App& app, Action& action);
+void add_verify_command(CLI::App& app, Action& action);
+void add_clip_command(CLI::App& app, Action& action);
+void add_explain_command(CLI::App& app, Action& action);
+void add_render_command(CLI::App& app, Action& action);
+
+}  // namespace clipscope::experiments

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// clipscope render: a picture of a scene with a clipper, and its error beside it.
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "experiments/commands/commands.hpp"
+#include "experiments/commands/selection.hpp"
+#include "experiments/errors.hpp"
+#include "experiments/pictures/draw_scene.hpp"
+#include "experiments/render/figure.hpp"
+
+namespace clipscope::experiments {
+namespace {
+
+struct RenderOptions {
+  Selection selection;
+  std::string scene, scalar = "float", view, against, out;
+  double cells = 8;
+  std::vector<int> size = {960, 540};
+};
+
+void print_counts(const HeatMapCounts& counts) {
+  fmt::print("{} pixels drawn by both: largest error {:.3g} texels of 1024, median {:.3g}\n",
+             counts.compared(), counts.max_error, counts.median_error);
+  fmt::print("holes {}, extra {}, flipped {}, not finite {} px\n", counts[PixelFate::hole],
+             counts[PixelFate::extra], counts[PixelFate::flipped], counts[PixelFate::not_finite]);
+}
+
+int render(const RenderOptions& options) {
+  check_image_path(options.out);
+  const AnyContestant contestant = find_contestant(options.selection.clipper, options.scalar);
+  const Scene scene = load_selected_scene(options.selection, options.scene);
+  const View& view = find_view(scene, options.view);
+  const PictureSize size{options.size[0], options.size[1]};
+  const FrameBuffer tested = draw_with(contestant, scene, view, size);
+  const std::string title = fmt::format("{}, {}", scene.name, view.label);
+  Figure figure{&tested,
+                nullptr,
+                {title, std::string(clipper_name(contestant)), options.scalar, "exact"},
+                {.cells_per_unit = options.cells}};
+  std::optional<HeatMap> heat_map;
+  if (!options.against.empty()) {
+    heat_map = compare(tested, draw_exact(scene, view, size));
+    figure.heat_map = &*heat_map;
+    print_counts(heat_map->counts);
+  }
+  write_image(options.out, figure);
+  fmt::print("written: {}\n", options.out);
+  return kExitOk;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("render", "Draw a scene with a clipper, and its error");
+  command->footer(
+      "PNG: the figure, with legend. EXR: picture, depth, texture coordinates, error and "
+      "more as float channels.");
+  const auto options = std::make_shared<RenderOptions>();
+  add_scene_options(*command, options->selection);
+  command->remove_option(command->get_option("--scene"));
+  command->add_option("--scene", options->scene, "A built-in scene or a mesh file")
+      ->type_name("NAME|FILE")
+      ->required();
+  command->add_option("--view", options->view, "Label of the scene's view [the first]");
+  command->add_option("--clipper", options->selection.clipper, "Name of a clipper")
+      ->type_name("NAME")
+      ->required();
+  command->add_option("--scalar", options->scalar, "Scalar to compute in [float]");
+  command->add_option("--against", options->against, "Also show the error against this")
+      ->check(CLI::IsMember({"exact"}));
+  command->add_option("--cells", options->cells, "Checkerboard cells per unit of u and v [8]");
+  command->add_option("--size", options->size, "Width and height in pixels [960,540]")
+      ->delimiter(',')
+      ->expected(2)
+      ->type_name("W,H")
+      ->check(CLI::Range(16, 16384));
+  command->add_option("--out", options->out, "Where to write: FILE.png or FILE.exr")
+      ->type_name("FILE")
+      ->required();
+  command->callback([&action, options] { action = [options] { return render(*options); }; });
+}
+
+}  // namespace clipscope::experiments

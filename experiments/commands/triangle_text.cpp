@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/commands/triangle_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+
+#include "experiments/errors.hpp"
+#include "spaces/vertex.hpp"
+
+namespace clipscope::experiments {
+namespace {
+
+bool reads_floats(const TriangleTextOptions& options) {
+  return options.scalar == ScalarTraits<float>::name ||
+         options.scalar == ScalarTraits<Counted>::name;
+}
+
+bool is_separator(char c) { return c == ',' || std::isspace(static_cast<unsigned char>(c)) != 0; }
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> words;
+  std::string word;
+  for (const char c : line.substr(0, line.find('#'))) {
+    if (!is_separator(c)) {
+      word += c;
+    } else if (!word.empty()) {
+      words.push_back(std::move(word));
+      word.clear();
+    }
+  }
+  if (!word.empty()) words.push_back(std::move(word));
+  return words;
+}
+
+// The number rounded once to the format that is read. Errors: InputError.
+double parse_number(const std::string& word, bool as_float, const std::string& place) {
+  char* end = nullptr;
+  const double value = as_float ? std::strtof(word.c_str(), &end) : std::strtod(word.c_str(), &end);
+  if (end != word.c_str() + word.size()) {
+    throw InputError(
+        fmt::format("{}: '{}' is not a number; expected a decimal such as -0.25 or a hex "
+                    "float such as -0x1p-2",
+                    place, word));
+  }
+  if (!std::isfinite(value)) {
+    throw InputError(fmt::format("{}: '{}' is not finite{}; expected a finite number", place, word,
+                                 as_float ? " as a float" : ""));
+  }
+  return value;
+}
+
+std::vector<TextTriangle> read_stream(std::istream& in, const std::string& name,
+                                      const TriangleTextOptions& options) {
+  const std::size_t dimension = options.space == "view" ? 3 : 4;
+  const std::size_t expected = 3 * (dimension + static_cast<std::size_t>(options.attributes));
+  std::vector<TextTriangle> triangles;
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    const std::string place = fmt::format("{}:{}", name, ++number);
+    const std::vector<std::string> words = split(line);
+    if (words.empty()) continue;
+    if (words.size() != expected) {
+      throw InputError(
+          fmt::format("{}: found {} numbers; a triangle in {} space takes {}: 3 vertices of {} "
+                      "coordinates and {} "
+                      "attributes",
+                      place, words.size(), options.space, expected, dimension, options.attributes));
+    }
+    TextTriangle& triangle = triangles.emplace_back(TextTriangle{number, {}});
+    for (const std::string& word : words) {
+      triangle.values.push_back(parse_number(word, reads_floats(options), place));
+    }
+  }
+  if (in.bad()) throw InputError(fmt::format("{}: can't be read", name));
+  return triangles;
+}
+
+// A far plane given as `inf`.
+void set_far(Frustum<double>& f, double far) {
+  f.infinite_far = std::isinf(far);
+  f.far = f.infinite_far ? 0.0 : far;
+}
+
+Frustum<double> described_frustum(const TriangleTextOptions& options) {
+  Frustum<double> f;
+  f.depth = depth_range(options);
+  if (!options.perspective.empty()) {
+    const std::vector<double>& p = options.perspective;
+    if (!(p[0] > 0 && p[0] < 180 && p[1] > 0)) {
+      throw UsageError(
+          fmt::format("--perspective: FOVY {} must lie in (0, 180) degrees and ASPECT {} "
+                      "must be positive",
+                      p[0], p[1]));
+    }
+    f.top = p[2] * std::tan(p[0] * (M_PI / 360.0));
+    f.right = p[1] * f.top;
+    f.bottom = -f.top;
+    f.left = -f.right;
+    f.near = p[2];
+    set_far(f, p[3]);
+    return f;
+  }
+  const bool parallel = options.frustum.empty();
+  const std::vector<double>& v = parallel ? options.ortho : options.frustum;
+  f.kind = parallel ? ProjectionKind::parallel : ProjectionKind::perspective;
+  f.left = v[0];
+  f.right = v[1];
+  f.bottom = v[2];
+  f.top = v[3];
+  f.near = v[4];
+  set_far(f, v[5]);
+  return f;
+}
+
+}  // namespace
+
+void add_triangle_text_options(CLI::App& command, TriangleTextOptions& options) {
+  command
+      .add_option("--space", options.space, "Space of the input: view (x y z) or clip (x y z w)")
+      ->check(CLI::IsMember({"view", "clip"}))
+      ->required();
+  command.add_option("--scalar", options.scalar,
+                     "Scalar to compute in (see `clipscope list scalars`) [float]");
+  command.add_option("--attributes", options.attributes, "Attributes per vertex [0]")
+      ->type_name("K")
+      ->check(CLI::Range(0, kMaxAttributes));
+  const auto numbers = [&](const char* name, std::vector<double>& target, int count,
+                           const char* type, const char* help) {
+    command.add_option(name, target, help)->delimiter(',')->expected(count)->type_name(type);
+  };
+  numbers("--perspective", options.perspective, 4, "FOVY,ASPECT,NEAR,FAR",
+          "Perspective projection, FOVY in degrees; FAR may be inf");
+  numbers("--frustum", options.frustum, 6, "L,R,B,T,N,F",
+          "Perspective projection, sides measured on the near plane; F may be inf");
+  numbers("--ortho", options.ortho, 6, "L,R,B,T,N,F", "Orthographic projection");
+  command
+      .add_option("--depth", options.depth,
+                  "Depth convention: gl [-1, 1], zero_to_one [0, 1] or reversed [1, 0] [gl]")
+      ->check(CLI::IsMember({"gl", "zero_to_one", "reversed"}));
+  command.add_option("file", options.file, "Triangles, one per line [standard input]")
+      ->type_name("FILE");
+}
+
+DepthRange depth_range(const TriangleTextOptions& options) {
+  if (options.depth == "zero_to_one") return DepthRange::zero_to_one;
+  if (options.depth == "reversed") return DepthRange::reversed;
+  return DepthRange::minus_one_to_one;
+}
+
+Frustum<double> frustum_of(const TriangleTextOptions& options) {
+  const int given =
+      !options.perspective.empty() + !options.frustum.empty() + !options.ortho.empty();
+  if (options.space == "clip") {
+    if (given != 0) {
+      throw UsageError(
+          "--perspective, --frustum and --ortho go with --space view: clip-space "
+          "triangles are projected already");
+    }
+    Frustum<double> f;
+    f.depth = depth_range(options);
+    return f;
+  }
+  if (given != 1) {
+    throw UsageError(
+        fmt::format("--space view takes one of --perspective, --frustum and --ortho, {} "
+                    "are given",
+                    given));
+  }
+  Frustum<double> f = described_frustum(options);
+  if (reads_floats(options)) f = frustum_cast<double>(frustum_cast<float>(f));
+  if (!is_valid(f) || !std::isfinite(f.left + f.right + f.bottom + f.top + f.near + f.far)) {
+    throw UsageError(fmt::format(
+        "the frustum left={} right={} bottom={} top={} near={} far={} encloses no volume; expected "
+        "left < right, bottom < top, near < far, and 0 < near for perspective",
+        f.left, f.right, f.bottom, f.top, f.near, f.infinite_far ? HUGE_VAL : f.far));
+  }
+  return f;
+}
+
+std::vector<TextTriangle> read_triangles(const TriangleTextOptions& options) {
+  if (options.file == "-") return read_stream(std::cin, "standard input", options);
+  errno = 0;
+  std::ifstream file(options.file);
+  if (!file) {
+    throw InputError(fmt::format("{}: can't be opened: {}", options.file, std::strerror(errno)));
+  }
+  std::vector<TextTriangle> triangles = read_stream(file, options.file, options);
+  return triangles;
+}
+
+}  // namespace clipscope::experiments

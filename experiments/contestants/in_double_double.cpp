@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// All clippers compiled for the scalar double_double.
+#include "experiments/contestants/contestants_of.hpp"
+
+namespace clipscope::experiments {
+
+template <>
+std::span<const Contestant<dd_real>> contestants<dd_real>() {
+  return contestants_of<dd_real>(AllClippers{});
+}
+
+}  // namespace clipscope::experiments

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The machine that a timing was measured on, and the hold on one of its processors.
+#pragma once
+
+#include <sched.h>
+
+#include <string>
+
+namespace clipscope::experiments {
+
+// One line: processor, compiler and version, flags, commit.
+std::string machine_description();
+
+// Keeps the calling thread on the processor that it runs on while the object lives.
+class PinnedThread {
+ public:
+  PinnedThread();
+  ~PinnedThread();
+  PinnedThread(const PinnedThread&) = delete;
+  PinnedThread& operator=(const PinnedThread&) = delete;
+
+  // False where the system does not allow it.
+  bool pinned() const { return pinned_; }
+
+ private:
+  cpu_set_t before_;
+  bool pinned_ = false;
+};
+
+}  // namespace clipscope::experiments

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What became of one triangle: a category, never folded into a number.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace clipscope::experiments {
+
+enum class Outcome : std::uint8_t {
+  exact,         // the right vertices, each coordinate within half an ulp: the nearest there is
+  faithful,      // the right vertices, each coordinate within one ulp
+  subpixel,      // the right vertices, each less than 1/256 px off
+  visible,       // the right vertices, some 1/256 px off or more
+  vertex_count,  // another number of vertices
+  missing,       // nothing, where something is visible
+  extra,         // something, where nothing is visible
+  flipped,       // the winding is reversed
+  not_finite     // some coordinate is NaN or infinite
+};
+
+inline constexpr int kOutcomes = 9;
+inline constexpr std::array<std::string_view, kOutcomes> kOutcomeNames = {
+    "exact",   "faithful", "subpixel", "visible",   "vertex_count",
+    "missing", "extra",    "flipped",  "not_finite"};
+
+constexpr std::string_view outcome_name(Outcome outcome) {
+  return kOutcomeNames[static_cast<std::size_t>(outcome)];
+}
+
+// The screen that pixels are counted on.
+inline constexpr double kScreenWidth = 3840.0;
+inline constexpr double kScreenHeight = 2160.0;
+inline constexpr double kSubpixel = 1.0 / 256.0;  // px
+
+}  // namespace clipscope::experiments

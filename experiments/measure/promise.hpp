@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Does a clipper's polygon keep the clipper's promise (spaces/clipper.hpp)?
+//
+// Everything is measured in clip space, attributes as further coordinates (scaled so that the
+// largest is as large as M): a polygon vertex (x, y, z, 1/w) is the point (x, y, z, 1) w. With
+// tolerance = ulps * u * M * amplification the promise holds if
+//   contained  no vertex is farther than the tolerance outside a plane,
+//   faithful   no vertex is farther than the tolerance from the input triangle,
+//   covers     no vertex of the exact polygon in the volume made smaller by the tolerance is farther
+//              than the tolerance from the clipper's polygon.
+// Distances are computed in double-double for float and double (error far below any tolerance) and in
+// exact rationals for the others. Point to triangle: Ericson, "Real-Time Collision Detection", 2005,
+// section 5.1.5, which uses dot products alone and so holds in any dimension.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "experiments/contestants/scalars.hpp"
+#include "reference/exact_clip.hpp"
+#include "spaces/clipper.hpp"
+
+namespace clipscope::experiments {
+
+enum class PromiseVerdict { kept, broken, outside_domain };
+
+struct PromiseCheck {
+  PromiseVerdict verdict = PromiseVerdict::kept;
+  // Backward error in units of u * M * amplification, over all distances that the promise bounds;
+  // for exact arithmetic 0 or infinity.
+  double ulps = 0;
+  std::string reason;  // when broken: what was found and what was promised
+};
+
+// What a promise is checked against: the volume in exact numbers, and the same volume in doubles for
+// magnitudes. For view-space input give the frustum, for clip-space input the depth range.
+class PromiseChecker {
+ public:
+  explicit PromiseChecker(const Frustum<double>& frustum);
+  explicit PromiseChecker(DepthRange depth);
+
+  template <class T, int K>
+  PromiseCheck check(const Promise& promise, const reference::InputTriangle& triangle,
+                     std::span<const NdcVertex<T, K>> polygon) const;
+
+  const reference::Truth& truth() const { return truth_; }
+
+ private:
+  double coordinate_magnitude(const reference::InputVertex& vertex) const;
+
+  reference::Truth truth_;
+  Projection<double> projection_;
+  DepthRange depth_;
+  bool view_input_;
+};
+
+}  // namespace clipscope::experiments

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/measure/timing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <random>
+
+#include "experiments/measure/batches.hpp"
+#include "experiments/measure/promise.hpp"
+
+namespace clipscope::experiments {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kLeastTriangles = 64;
+constexpr std::size_t kBlock = 1024;  // triangles whose output stays in cache
+
+double nanoseconds(Clock::duration d) {
+  return std::chrono::duration<double, std::nano>(d).count();
+}
+
+std::size_t triangle_count(std::span<const TimedBatch> batches) {
+  std::size_t count = 0;
+  for (const TimedBatch& batch : batches) count += batch.triangles.size();
+  return count;
+}
+
+// A contestant with its input in its own scalar.
+class Runner {
+ public:
+  virtual ~Runner() = default;
+  // Clips the leading share of each batch; ns per triangle.
+  virtual double run() = 0;
+  virtual void choose_share(double target_ns) = 0;
+  virtual std::string first_broken_promise(std::size_t triangles) = 0;
+};
+
+template <class T>
+class RunnerOf final : public Runner {
+ public:
+  RunnerOf(const Contestant<T>& contestant, std::span<const TimedBatch> batches)
+      : contestant_(contestant), source_(batches) {
+    for (const TimedBatch& batch : batches) {
+      projections_.push_back(projection_of<T>(batch.view));
+      triangles_.push_back(triangles_cast<T>(batch.triangles));
+    }
+  }
+
+  double run() override { return run_share(share_); }
+
+  void choose_share(double target_ns) override {
+    const double count = static_cast<double>(triangle_count(source_));
+    const double least = std::min(1.0, kLeastTriangles / count);
+    const double ns_per_triangle = run_share(least);
+    share_ = std::clamp(target_ns / (ns_per_triangle * count), least, 1.0);
+    run_share(share_);
+  }
+
+  std::string first_broken_promise(std::size_t limit) override {
+    const std::size_t all = triangle_count(source_);
+    for (std::size_t b = 0; b < triangles_.size(); ++b) {
+      const std::size_t share = std::max<std::size_t>(1, limit * triangles_[b].size() / all);
+      const std::size_t count = std::min(share, triangles_[b].size());
+      const PromiseChecker checker(frustum_cast<double>(source_[b].view.frustum));
+      out_.clear();
+      contestant_.view(projections_[b], std::span(triangles_[b]).first(count), out_);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto input = reference::input_triangle(source_[b].triangles[i]);
+        const PromiseCheck check =
+            checker.check<T, kSceneAttributes>(contestant_.promise, input, out_[i]);
+        if (check.verdict == PromiseVerdict::broken) return check.reason;
+      }
+    }
+    return "";
+  }
+
+ private:
+  double run_share(double share) {
+    std::size_t clipped = 0;
+    const Clock::time_point start = Clock::now();
+    for (std::size_t b = 0; b < triangles_.size(); ++b) {
+      const double wanted = std::ceil(share * static_cast<double>(triangles_[b].size()));
+      const std::size_t count = std::min(static_cast<std::size_t>(wanted), triangles_[b].size());
+      for (std::size_t first = 0; first < count; first += kBlock) {
+        out_.clear();
+        contestant_.view(projections_[b],
+                         std::span(triangles_[b]).subspan(first, std::min(kBlock, count - first)),
+                         out_);
+      }
+      clipped += count;
+    }
+    return nanoseconds(Clock::now() - start) / static_cast<double>(clipped);
+  }
+
+  const Contestant<T>& contestant_;
+  std::span<const TimedBatch> source_;
+  std::vector<Projection<T>> projections_;
+  std::vector<std::vector<ViewTriangle<T, kSceneAttributes>>> triangles_;
+  PolygonStream<T, kSceneAttributes> out_;
+  double share_ = 1.0;
+};
+
+std::unique_ptr<Runner> make_runner(const AnyContestant& contestant,
+                                    std::span<const TimedBatch> batches) {
+  return std::visit(
+      [&]<class T>(const Contestant<T>* c) -> std::unique_ptr<Runner> {
+        return std::make_unique<RunnerOf<T>>(*c, batches);
+      },
+      contestant);
+}
+
+}  // namespace
+
+AnyContestant baseline() { return find_contestant("textbook", "float"); }
+
+std::vector<Timing> measure_time(std::span<const TimedBatch> batches,
+                                 std::span<const AnyContestant> contestants,
+                                 const TimingOptions& options) {
+  std::vector<Timing> timings(contestants.size());
+  if (triangle_count(batches) == 0) {
+    for (Timing& timing : timings) timing.refused = "no triangles";
+    return timings;
+  }
+  const double target_ns = options.milliseconds_per_run * 1e6;
+  const auto prepare = [&](const AnyContestant& contestant) {
+    std::unique_ptr<Runner> runner = make_runner(contestant, batches);
+    runner->choose_share(target_ns);
+    return runner;
+  };
+
+  const std::unique_ptr<Runner> baseline_runner = prepare(baseline());
+  std::vector<std::unique_ptr<Runner>> runners;
+  std::vector<std::size_t> timed;
+  for (std::size_t i = 0; i < contestants.size(); ++i) {
+    runners.push_back(prepare(contestants[i]));
+    timings[i].refused = runners[i]->first_broken_promise(options.checked_triangles);
+    if (timings[i].refused.empty()) timed.push_back(i);
+  }
+
+  std::vector<std::vector<double>> speedups(contestants.size());
+  for (int round = 0; round < options.rounds && !timed.empty(); ++round) {
+    const double baseline_ns = baseline_runner->run();
+    for (const std::size_t i : timed) {
+      const double ns = runners[i]->run();
+      timings[i].samples_ns.push_back(ns);
+      speedups[i].push_back(baseline_ns / ns);
+    }
+    std::rotate(timed.begin(), timed.begin() + 1, timed.end());
+  }
+  for (const std::size_t i : timed) {
+    timings[i].ns = median_interval(timings[i].samples_ns);
+    timings[i].speedup = median_interval(speedups[i]);
+  }
+  return timings;
+}
+
+std::vector<TimedBatch> timed_batches(const Scene& scene, std::size_t limit) {
+  std::vector<TimedBatch> batches;
+  const Sample sample = sample_of(scene, std::max<std::size_t>(1, limit / scene.views.size()));
+  std::mt19937_64 generator(1);
+  for (const View& view : scene.views) {
+    TimedBatch batch{view, sampled_view_triangles(scene, view, sample, 0, sample.count)};
+    for (std::size_t i = batch.triangles.size(); i > 1; --i) {
+      std::swap(batch.triangles[i - 1], batch.triangles[generator() % i]);
+    }
+    batches.push_back(std::move(batch));
+  }
+  return batches;
+}
+
+}  // namespace clipscope::experiments

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/report/table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "experiments/errors.hpp"
+
+namespace clipscope::experiments {
+namespace {
+
+constexpr std::size_t kTextWidth = 100;  // terminal columns
+constexpr std::size_t kGap = 2;
+
+std::string format_cell(const Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return fmt::format("{}", *count);
+  if (const auto* number = std::get_if<double>(&cell)) return format_number(*number);
+  return "-";
+}
+
+// The value to the last digit, quoted where CSV asks for it (RFC 4180).
+std::string csv_cell(const Cell& cell) {
+  if (const auto* number = std::get_if<double>(&cell)) return fmt::format("{}", *number);
+  if (std::holds_alternative<std::monostate>(cell)) return "";
+  std::string text = format_cell(cell);
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    quoted += c;
+    if (c == '"') quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string latex_escape(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+      case '%':
+      case '$':
+      case '#':
+      case '_':
+      case '{':
+      case '}': escaped += fmt::format("\\{}", c); break;
+      case '\\': escaped += "\\textbackslash{}"; break;
+      case '~': escaped += "\\textasciitilde{}"; break;
+      case '^': escaped += "\\textasciicircum{}"; break;
+      default: escaped += c;
+    }
+  }
+  return escaped;
+}
+
+// The number of terminal columns of a UTF-8 text without wide characters.
+std::size_t display_width(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
+}
+
+std::string pad(const std::string& text, std::size_t width, bool left) {
+  const std::size_t used = display_width(text);
+  const std::string blanks(width > used ? width - used : 0, ' ');
+  return left ? text + blanks : blanks + text;
+}
+
+std::string right_trimmed(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
+// A note: words in lines of at most kTextWidth, indented by two.
+std::string wrapped(const std::string& note) {
+  std::string text, line = " ";
+  std::istringstream words(note);
+  for (std::string word; words >> word;) {
+    if (display_width(line) + 1 + display_width(word) > kTextWidth) {
+      text += line + "\n";
+      line = " ";
+    }
+    line += " " + word;
+  }
+  return text + line + "\n";
+}
+
+nlohmann::json json_cell(const Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return *count;
+  if (const auto* number = std::get_if<double>(&cell)) {
+    if (std::isfinite(*number)) return *number;
+    return fmt::format("{}", *number);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::string format_number(double value) {
+  if (value == 0.0) return "0";
+  if (!std::isfinite(value)) return fmt::format("{}", value);
+  const double size = std::abs(value);
+  if (size < 1e-3 || size >= 1e6) return fmt::format("{:.1e}", value);
+  if (size >= 100) return fmt::format("{:.0f}", value);
+  const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 4);
+  return fmt::format("{:.{}f}", value, decimals);
+}
+
+void write_file(const std::filesystem::path& path, const std::string& content) {
+  std::error_code error;
+  if (path.has_parent_path()) {
+    std::filesystem::create_directories(path.parent_path(), error);
+  }
+  const std::filesystem::path temporary = path.string() + ".part";
+  if (!error) {
+    errno = 0;
+    std::ofstream file(temporary, std::ios::binary);
+    file << content;
+    file.close();
+    if (file) {
+      std::filesystem::rename(temporary, path, error);
+    } else {
+      error.assign(errno != 0 ? errno : EIO, std::generic_category());
+    }
+  }
+  if (error) {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw OutputError(fmt::format("{}: can't be written: {}", path.string(), error.message()));
+  }
+}
+
+Table::Table(std::string name, std::string title, std::vector<Column> columns)
+    : name_(std::move(name)), title_(std::move(title)), columns_(std::move(columns)) {}
+
+void Table::add_row(std::vector<Cell> cells) {
+  assert(cells.size() == columns_.size());
+  rows_.push_back(std::move(cells));
+}
+
+void Table::add_note(std::string note) { notes_.push_back(std::move(note)); }
+
+std::vector<std::vector<std::string>> Table::formatted() const {
+  std::vector<std::vector<std::string>> text;
+  for (const std::vector<Cell>& row : rows_) {
+    std::vector<std::string>& cells = text.emplace_back();
+    std::transform(row.begin(), row.end(), std::back_inserter(cells), format_cell);
+  }
+  return text;
+}
+
+bool Table::is_text(std::size_t column) const {
+  return std::any_of(rows_.begin(), rows_.end(), [&](const std::vector<Cell>& row) {
+    return std::holds_alternative<std::string>(row[column]);
+  });
+}
+
+std::vector<std::size_t> Table::widths(const std::vector<std::vector<std::string>>& cells) const {
+  std::vector<std::size_t> widths;
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    std::size_t width = display_width(columns_[c].head);
+    for (const auto& row : cells) width = std::max(width, display_width(row[c]));
+    widths.push_back(width);
+  }
+  return widths;
+}
+
+// Columns in blocks that fit kTextWidth, each beginning with the leading text columns.
+std::vector<std::vector<std::size_t>> Table::blocks(const std::vector<std::size_t>& widths) const {
+  std::vector<std::size_t> keys;
+  std::size_t key_width = 0;
+  while (keys.size() < columns_.size() && is_text(keys.size())) {
+    key_width += widths[keys.size()] + kGap;
+    keys.push_back(keys.size());
+  }
+  std::vector<std::vector<std::size_t>> blocks;
+  std::size_t used = 0;
+  for (std::size_t c = keys.size(); c < columns_.size(); ++c) {
+    if (blocks.empty() || used + widths[c] + kGap > kTextWidth + kGap) {
+      blocks.push_back(keys);
+      used = key_width;
+    }
+    blocks.back().push_back(c);
+    used += widths[c] + kGap;
+  }
+  if (blocks.empty()) blocks.push_back(keys);
+  return blocks;
+}
+
+std::string Table::to_text() const {
+  const auto cells = formatted();
+  const std::vector<std::size_t> width = widths(cells);
+  std::string text = title_ + "\n";
+  for (const std::vector<std::size_t>& block : blocks(width)) {
+    const auto line = [&](const auto& text_of) {
+      std::string result;
+      for (const std::size_t c : block) {
+        result +=
+            std::string(result.empty() ? 0 : kGap, ' ') + pad(text_of(c), width[c], is_text(c));
+      }
+      return right_trimmed(result) + "\n";
+    };
+    text += "\n" + line([&](std::size_t c) { return columns_[c].head; });
+    text += line([&](std::size_t c) { return std::string(width[c], '-'); });
+    for (const auto& row : cells) {
+      text += line([&](std::size_t c) { return row[c]; });
+    }
+  }
+  for (const std::string& note : notes_) text += wrapped(note);
+  return text;
+}
+
+std::string Table::to_markdown() const {
+  std::string text = fmt::format("### {}\n\n|", title_);
+  for (const Column& column : columns_) text += fmt::format(" {} |", column.head);
+  text += "\n|";
+  for (std::size_t c = 0; c < columns_.size(); ++c) text += is_text(c) ? " --- |" : " ---: |";
+  text += "\n";
+  for (const auto& row : formatted()) {
+    text += fmt::format("| {} |\n", fmt::join(row, " | "));
+  }
+  for (const std::string& note : notes_) text += "\n" + note + "\n";
+  return text;
+}
+
+std::string Table::to_csv() const {
+  std::vector<std::string> keys;
+  for (const Column& column : columns_) keys.push_back(column.key);
+  std::string text = fmt::format("{}\n", fmt::join(keys, ","));
+  for (const std::vector<Cell>& row : rows_) {
+    std::vector<std::string> cells;
+    std::transform(row.begin(), row.end(), std::back_inserter(cells), csv_cell);
+    text += fmt::format("{}\n", fmt::join(cells, ","));
+  }
+  return text;
+}
+
+std::string Table::to_latex() const {
+  std::string text = fmt::format("% {}\n\\begin{{tabular}}{{", title_);
+  for (std::size_t c = 0; c < columns_.size(); ++c) text += is_text(c) ? 'l' : 'r';
+  text += "}\n\\toprule\n";
+  std::vector<std::string> heads;
+  for (const Column& column : columns_) heads.push_back(latex_escape(column.head));
+  text += fmt::format("{} \\\\\n\\midrule\n", fmt::join(heads, " & "));
+  for (std::vector<std::string> row : formatted()) {
+    std::transform(row.begin(), row.end(), row.begin(), latex_escape);
+    text += fmt::format("{} \\\\\n", fmt::join(row, " & "));
+  }
+  text += "\\bottomrule\n\\end{tabular}\n";
+  for (const std::string& note : notes_) text += "% " + note + "\n";
+  return text;
+}
+
+nlohmann::json Table::to_json() const {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const std::vector<Cell>& row : rows_) {
+    nlohmann::json object = nlohmann::json::object();
+    for (std::size_t c = 0; c < columns_.size(); ++c) object[columns_[c].key] = json_cell(row[c]);
+    rows.push_back(std::move(object));
+  }
+  return {{"name", name_}, {"title", title_}, {"rows", std::move(rows)}, {"notes", notes_}};
+}
+
+void Table::write(const std::filesystem::path& directory) const {
+  write_file(directory / (name_ + ".md"), to_markdown());
+  write_file(directory / (name_ + ".csv"), to_csv());
+  write_file(directory / (name_ + ".tex"), to_latex());
+}
+
+}  // namespace clipscope::experiments

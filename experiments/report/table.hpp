@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tables: filled once, written as text for a terminal, Markdown, CSV, LaTeX (booktabs) and JSON.
+//
+// A cell keeps its value; each writer formats it. CSV and JSON carry full precision, the others the
+// digits that a reader needs.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace clipscope::experiments {
+
+struct Column {
+  std::string key;   // for CSV and JSON: lower case, with its unit: "max_px"
+  std::string head;  // for people: "max [px]"
+};
+
+// Empty (printed as a dash), a text, a count, or a measured number.
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double>;
+
+class Table {
+ public:
+  // name: stem of the files; title: one line, what is shown and on what.
+  Table(std::string name, std::string title, std::vector<Column> columns);
+
+  // Pre-condition: one cell per column.
+  void add_row(std::vector<Cell> cells);
+  // A line printed beneath the table: machine, seed, meaning of a column.
+  void add_note(std::string note);
+
+  const std::string& name() const { return name_; }
+  const std::string& title() const { return title_; }
+  const std::vector<Column>& columns() const { return columns_; }
+  const std::vector<std::vector<Cell>>& rows() const { return rows_; }
+
+  // At most 100 columns wide: what does not fit goes into a further block beneath, which repeats the
+  // leading text columns.
+  std::string to_text() const;
+  std::string to_markdown() const;
+  std::string to_csv() const;
+  std::string to_latex() const;
+  nlohmann::json to_json() const;
+
+  // Writes name.md, name.csv and name.tex into the directory, each complete or not at all. Throws
+  // OutputError.
+  void write(const std::filesystem::path& directory) const;
+
+ private:
+  std::vector<std::vector<std::string>> formatted() const;  // every cell as people read it
+  std::vector<std::size_t> widths(const std::vector<std::vector<std::string>>& cells) const;
+  std::vector<std::vector<std::size_t>> blocks(const std::vector<std::size_t>& widths) const;
+  bool is_text(std::size_t column) const;
+
+  std::string name_, title_;
+  std::vector<Column> columns_;
+  std::vector<std::vector<Cell>> rows_;
+  std::vector<std::string> notes_;
+};
+
+// Three significant digits, plain where that is short, else with a power of ten: 0.125, 13.4, 2.1e-07.
+std::string format_number(double value);
+
+// Writes a whole file under a temporary name and moves it into place, making the directory if there is
+// none. Throws OutputError naming the path and the reason.
+void write_file(const std::filesystem::path& path, const std::string& content);
+
+}  // namespace clipscope::experiments

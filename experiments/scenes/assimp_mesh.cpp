@@ -71,7 +71,8 @@ class BoxCoordinates {
 
 class Flattener {
  public:
-  explicit Flattener(const std::string& name) : name_(name) {}
+  Flattener(const std::string& name, bool has_vertex_normals)
+      : name_(name), has_vertex_normals_(has_vertex_normals) {}
 
   void add(const Instance& instance) {
     Part part{instance.mesh, mesh_.positions.size(), mesh_.triangles.size()};
@@ -142,7 +143,7 @@ class Flattener {
         require_finite(name_, mesh, i, "texture coordinate u", u);
         require_finite(name_, mesh, i, "texture coordinate v", v);
       }
-      if (mesh.HasNormals()) {
+      if (has_vertex_normals_ && mesh.HasNormals()) {
         std::tie(a, b) = unit_normal_xy(mesh, i);
       }
     }
@@ -159,6 +160,7 @@ class Flattener {
   }
 
   const std::string& name_;
+  bool has_vertex_normals_;
   Mesh mesh_;
   std::vector<Part> parts_;
 };
@@ -230,7 +232,7 @@ void require_valid_indices(const std::string& name, const aiScene& scene) {
   }
 }
 
-Mesh flatten(const std::string& name, const aiScene& scene) {
+Mesh flatten(const std::string& name, const aiScene& scene, bool has_vertex_normals) {
   const std::vector<Instance> instances = instances_of(scene);
   std::size_t vertices = 0, triangles = 0;
   for (const Instance& instance : instances) {
@@ -241,7 +243,7 @@ Mesh flatten(const std::string& name, const aiScene& scene) {
     throw InputError(
         fmt::format("{}: {} vertices are too many; fewer than 2^32 expected", name, vertices));
   }
-  Flattener flattener(name);
+  Flattener flattener(name, has_vertex_normals);
   flattener.reserve(vertices, triangles);
   for (const Instance& instance : instances) {
     flattener.add(instance);

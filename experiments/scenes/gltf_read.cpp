@@ -66,7 +66,8 @@ class ChunkReader {
       fail(fmt::format("the chunk at byte {} reaches past the end of the file", offset_));
     }
     if (content_.substr(offset_ + 4, 4) != type) {
-      fail(fmt::format("the chunk at byte {} is not of type {}", offset_, type.substr(0, 3)));
+      fail(fmt::format("the chunk at byte {} is not of type {}", offset_,
+                       type.substr(0, type.find('\0'))));
     }
     const std::size_t length = word_at(content_, offset_);
     offset_ = start + length;

@@ -41,7 +41,7 @@ SoundFile read_and_check(const std::filesystem::path& path) {
   const std::string name = path.string(), extension = extension_of(path);
   SoundFile file{extension.substr(extension.empty() ? 0 : 1), read_bytes(path)};
   if (extension == ".obj") {
-    check_obj(name, file.bytes);
+    file.bytes = geometry_of_obj(name, file.bytes);
   } else if (extension == ".ply") {
     check_ply(name, file.bytes);
   } else if (extension == ".stl") {
@@ -81,14 +81,14 @@ Mesh load_mesh(const std::filesystem::path& path) {
       throw InputError(
           fmt::format("{}: assimp can't read it: {}", name, importer.GetErrorString()));
     }
-    file = {};
+    file.bytes = {};
     require_valid_indices(name, *scene);
     scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
     if (scene == nullptr) {
       throw InputError(
           fmt::format("{}: assimp can't triangulate it: {}", name, importer.GetErrorString()));
     }
-    mesh = flatten(name, *scene);
+    mesh = flatten(name, *scene, file.format != "stl");
   }
   if (mesh.triangles.empty()) {
     throw InputError(fmt::format("{}: the file has no triangles", name));

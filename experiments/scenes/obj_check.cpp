@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "experiments/scenes/mesh_checks.hpp"
@@ -33,7 +34,7 @@ class ObjCheck {
  public:
   ObjCheck(const std::string& name, std::string_view content) : file_(name, content) {}
 
-  void run() {
+  std::string run() {
     while (file_.next_words('\\')) {
       check_line();
     }
@@ -47,6 +48,7 @@ class ObjCheck {
     if (faces_ == 0) {
       file_.fail("the file has no face ('f' line), hence no triangle");
     }
+    return std::move(geometry_);
   }
 
  private:
@@ -59,16 +61,28 @@ class ObjCheck {
       file_.require_numbers(1, std::string_view("uvw").substr(0, count()),
                             "the texture coordinate");
       ++kinds_[1].defined;
+      keep(count());
     } else if (keyword == "vn") {
       require_count(3, 3, "a normal");
       file_.require_numbers(1, "xyz", "the normal");
       ++kinds_[2].defined;
+      keep(3);
     } else if (keyword == "f") {
       require_count(3, file_.words().size(), "a face");
       check_references();
       ++faces_;
+      keep(count());
     } else if (keyword == "l" || keyword == "p") {
       check_references();
+    }
+  }
+
+  // Passes on the keyword and the first n words after it. assimp takes ".5" for no number.
+  void keep(std::size_t n) {
+    for (std::size_t i = 0; i <= n; ++i) {
+      geometry_ += file_.word(i)[0] == '.' ? "0" : "";
+      geometry_ += file_.word(i);
+      geometry_ += i < n ? ' ' : '\n';
     }
   }
 
@@ -100,6 +114,7 @@ class ObjCheck {
       file_.fail("w of the vertex is 0, a point at infinity; a finite one was expected");
     }
     ++kinds_[0].defined;
+    keep(n == 4 ? 4 : 3);
   }
 
   // Each word is v, v/vt, v//vn or v/vt/vn.
@@ -157,10 +172,13 @@ class ObjCheck {
                                     Numbered{"texture coordinate", "texture coordinates"},
                                     Numbered{"normal", "normals"}};
   long long faces_ = 0;
+  std::string geometry_;
 };
 
 }  // namespace
 
-void check_obj(const std::string& name, std::string_view content) { ObjCheck(name, content).run(); }
+std::string geometry_of_obj(const std::string& name, std::string_view content) {
+  return ObjCheck(name, content).run();
+}
 
 }  // namespace clipscope::experiments

@@ -22,7 +22,7 @@ std::string_view without_plus(std::string_view word) {
 }  // namespace
 
 // Adds the words of the next line; the text must not be at its end.
-bool TextFile::append_line() {
+void TextFile::append_line() {
   const std::size_t end = rest_.find('\n');
   std::string_view line = rest_.substr(0, end);
   rest_ = end == std::string_view::npos ? std::string_view{} : rest_.substr(end + 1);
@@ -30,13 +30,20 @@ bool TextFile::append_line() {
   while (true) {
     const std::size_t start = line.find_first_not_of(kBlanks);
     if (start == std::string_view::npos) {
-      return true;
+      return;
     }
     line.remove_prefix(start);
     const std::size_t stop = std::min(line.find_first_of(kBlanks), line.size());
     words_.push_back(line.substr(0, stop));
     line.remove_prefix(stop);
   }
+}
+
+// Whether the words read so far end in that character, comments ('# ...') apart.
+bool TextFile::ends_in(char continuation) const {
+  const auto is_comment = [](std::string_view word) { return word[0] == '#'; };
+  return !words_.empty() && words_.back().back() == continuation &&
+         std::ranges::none_of(words_, is_comment);
 }
 
 bool TextFile::next_line(char continuation) {
@@ -46,7 +53,7 @@ bool TextFile::next_line(char continuation) {
   }
   append_line();
   line_ = lines_read_;
-  while (!words_.empty() && words_.back().back() == continuation && !rest_.empty()) {
+  while (ends_in(continuation) && !rest_.empty()) {
     words_.back().remove_suffix(1);
     if (words_.back().empty()) {
       words_.pop_back();

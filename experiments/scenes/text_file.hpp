@@ -17,7 +17,7 @@ class TextFile {
   TextFile(const std::string& name, std::string_view text) : name_(name), rest_(text) {}
 
   // Splits the next line into its words; false at the end of the text. A line that ends in
-  // `continuation` goes on in the next line.
+  // `continuation` and has no '#' comment goes on in the next line.
   bool next_line(char continuation = '\n');
   // The same for the next line that has a word.
   bool next_words(char continuation = '\n');
@@ -39,7 +39,8 @@ class TextFile {
   [[noreturn]] void fail_at(std::size_t line, const std::string& message) const;
 
  private:
-  bool append_line();
+  void append_line();
+  bool ends_in(char continuation) const;
 
   const std::string& name_;
   std::string_view rest_;

@@ -42,7 +42,9 @@ Triple meet(const Triple& a, const Dyadic& d_a, const Triple& b, const Dyadic& d
   return r;
 }
 
-// The part of the polygon with d >= 0, where d is given at the triangle's vertices.
+// The part of the polygon with d >= 0, where d is given at the triangle's vertices. A segment's one
+// edge is walked both ways: the vertex that it may yield twice is dropped at the end, as all are that
+// coincide.
 std::vector<Triple> cut(const std::vector<Triple>& polygon, const Triple& d) {
   const std::size_t n = polygon.size();
   std::vector<Dyadic> distance;
@@ -63,10 +65,6 @@ std::vector<Triple> cut(const std::vector<Triple>& polygon, const Triple& d) {
     } else if (side < 0 && next_side > 0) {
       r.push_back(meet(polygon[next], distance[next], polygon[i], distance[i]));
     }
-  }
-  // The one edge of a segment has been walked both ways.
-  if (n == 2 && r.size() == 3) {
-    r.pop_back();
   }
   return r;
 }

@@ -73,9 +73,6 @@ double round_half_even(const Truncated& v, int digits, int lowest) {
   if (drop > bits) {
     return 0;  // less than half of the smallest number
   }
-  if (v.exponent > 2000) {
-    return std::numeric_limits<double>::infinity();
-  }
   const std::uint64_t kept = drop == 64 ? 0 : v.significand >> drop;
   const std::uint64_t half = std::uint64_t{1} << (drop - 1);
   const std::uint64_t rest = v.significand & (half + (half - 1));
@@ -130,15 +127,14 @@ double approximate(const Fraction& value) {
   return round_exactly<double>(value);
 }
 
-// The exact value lies between lower and upper, rounding is monotone: where both round to the same
-// float, so does the value. (Results in the range of double's own subnormals never get here.)
+// The exact value lies between lower and upper, and rounding is monotone: where both round to the same
+// float, so does the value. (Below double's normal numbers it does too: there every float is 0.)
 template <>
 float round_to<float>(const Fraction& value) {
   const double estimate = approximate(value);
   const float lower = static_cast<float>(estimate * (1 - 0x1p-49));
   const float upper = static_cast<float>(estimate * (1 + 0x1p-49));
-  const bool settled = lower == upper && lower != 0 && std::isfinite(lower);
-  return settled ? lower : round_exactly<float>(value);
+  return lower == upper ? lower : round_exactly<float>(value);
 }
 
 template <>

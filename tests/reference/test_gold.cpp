@@ -31,7 +31,6 @@ InputTriangle lattice_triangle(Random& random, int low, int high) {
   return r;
 }
 
-// Floats; the last coordinate is in [last_low, last_high].
 InputTriangle float_triangle(Random& random, float extent) {
   std::uniform_real_distribution<float> coordinate(-extent, extent);
   InputTriangle r;
@@ -206,6 +205,22 @@ TEST_CASE("reference: equals gold on clip-space floats, w of any sign") {
   const Truth truth = Truth::of_clip(depth);
   const auto gold = [&](const InputTriangle& t) { return gold_of_clip(depth, t); };
   CHECK(compare(truth, gold, kFloats, 200).clipped > 50);
+}
+
+// Vertices hundreds of binary orders of magnitude apart.
+TEST_CASE("reference: equals gold on clip-space doubles of any magnitude") {
+  const MakeTriangle make = [](Random& random) {
+    std::uniform_int_distribution<int> exponent(-300, 300);
+    InputTriangle t = float_triangle(random, 2);
+    for (InputVertex& v : t.vertices) {
+      const int k = exponent(random);
+      for (double& p : v.position) p = std::ldexp(p, k);
+    }
+    return t;
+  };
+  const DepthRange depth = DepthRange::minus_one_to_one;
+  const auto gold = [&](const InputTriangle& t) { return gold_of_clip(depth, t); };
+  CHECK(compare(Truth::of_clip(depth), gold, make, 200).clipped > 50);
 }
 
 // Vertices on the sides of a frustum that no float holds exactly, give or take an ulp.

@@ -2,6 +2,7 @@
 #include "reference/truth.hpp"
 
 #include <limits>
+#include <random>
 
 #include "tests/catch.hpp"
 #include "tests/reference/helpers.hpp"
@@ -148,6 +149,40 @@ TEST_CASE("truth: underflow and overflow don't deceive the sign of a form") {
   const LinearForm huge = {{0x1p1000, 0}, {-0x1p1000, 1}};
   CHECK(sign(huge, at(0x1p1000, 0x1p999, 0)) == 1);
   CHECK(sign(huge, at(0x1p999, 0x1p1000, 0)) == -1);
+}
+
+// d is the smallest double: 0.6 d + 0.6 d - 1.3 d < 0, but each product is rounded to d.
+TEST_CASE("truth: products that underflow together don't deceive the sign of a form") {
+  const double root = 0x1p-537;
+  const LinearForm form = {{root * 0.6, 0}, {root * 0.6, 1}, {root * 1.3, 2}};
+  CHECK(sign(form, at(root, root, -root)) == -1);
+}
+
+TEST_CASE("truth: a form without terms is 0") { CHECK(sign({}, at(1, 1, 1)) == 0); }
+
+// The last term takes back what double arithmetic makes of the others: rounding errors remain.
+TEST_CASE("truth: the filter decides as exact arithmetic does where sums cancel") {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int deceived = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const InputVertex v = at(uniform(random), uniform(random), uniform(random));
+    LinearForm form;
+    double sum = 0;
+    for (int c = 0; c < 3; ++c) {
+      form.push_back({uniform(random), c});
+      sum += form[c].coefficient * v.position[c];
+    }
+    form.insert(form.begin(), {-sum, kOne});
+    double rounded = 0;
+    for (const Term& term : form) {
+      rounded += term.coefficient * (term.coordinate == kOne ? 1 : v.position[term.coordinate]);
+    }
+    const int exact = static_cast<int>(value(form, v).sign());
+    REQUIRE(sign(form, v) == exact);
+    deceived += rounded * exact < 0 ? 1 : 0;
+  }
+  CHECK(deceived > 100);  // doubles alone would have been wrong
 }
 
 TEST_CASE("truth: NaN and infinity in use are not finite, out of use they don't matter") {

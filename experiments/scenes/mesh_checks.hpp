@@ -15,7 +15,9 @@ namespace clipscope::experiments {
 
 // `name` is what messages call the file, `content` all of it.
 void check_ply(const std::string& name, std::string_view content);
-void check_stl(const std::string& name, std::string_view content);
+
+// Checks an STL file and yields it in its binary form.
+std::string geometry_of_stl(const std::string& name, std::string content);
 
 // Checks an OBJ file and yields its vertices, texture coordinates, normals and faces alone, one plain
 // line each: assimp knows no comments behind a face.

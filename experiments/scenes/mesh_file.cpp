@@ -45,7 +45,7 @@ SoundFile read_and_check(const std::filesystem::path& path) {
   } else if (extension == ".ply") {
     check_ply(name, file.bytes);
   } else if (extension == ".stl") {
-    check_stl(name, file.bytes);
+    file.bytes = geometry_of_stl(name, std::move(file.bytes));
   } else if (extension == ".gltf" || extension == ".glb") {
     file = {"glb", geometry_of(read_gltf(path, file.bytes))};
   } else {

@@ -14,8 +14,8 @@
 namespace clipscope::experiments {
 
 // The triangles of all meshes in the file, node transforms applied, in the file's order. Polygons are
-// triangulated, points and lines skipped; coordinates are otherwise kept as the file has them (but a
-// decimal number with an exponent may come out one float off, which is assimp's conversion), and
+// triangulated, points and lines skipped; coordinates are otherwise kept as the file has them (but in
+// OBJ and text PLY a number with an exponent may come out one float off, which is assimp's conversion), and
 // vertices are merged only where all their bits agree.
 // Attributes: the file's first texture coordinates, or else the position within the bounding box along
 // its two longest axes, in [0, 1]; and the unit normal's x and y if the file has normals per vertex

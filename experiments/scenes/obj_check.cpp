@@ -61,7 +61,7 @@ class ObjCheck {
       file_.require_numbers(1, std::string_view("uvw").substr(0, count()),
                             "the texture coordinate");
       ++kinds_[1].defined;
-      keep(count());
+      keep_texture_coordinate();
     } else if (keyword == "vn") {
       require_count(3, 3, "a normal");
       file_.require_numbers(1, "xyz", "the normal");
@@ -74,6 +74,14 @@ class ObjCheck {
       keep(count());
     } else if (keyword == "l" || keyword == "p") {
       check_references();
+    }
+  }
+
+  // assimp wants u and v where the format is content with u.
+  void keep_texture_coordinate() {
+    keep(std::min<std::size_t>(count(), 2));
+    if (count() == 1) {
+      geometry_.insert(geometry_.size() - 1, " 0");
     }
   }
 

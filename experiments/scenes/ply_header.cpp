@@ -63,6 +63,9 @@ class HeaderReader {
   void read_format() {
     require_words(3, "format ascii|binary_little_endian|binary_big_endian 1.0");
     const std::string_view name = file_.word(1);
+    if (file_.word(2) != "1.0") {
+      file_.fail(fmt::format("the format version is '{}'; 1.0 expected", file_.word(2)));
+    }
     if (name == "ascii") {
       header_.encoding = PlyEncoding::text;
     } else if (name == "binary_little_endian") {

@@ -10,6 +10,7 @@
 #include <cctype>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #include "experiments/errors.hpp"
 #include "experiments/scenes/mesh_checks.hpp"
@@ -20,7 +21,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL is read without a byte swap");
 
-constexpr std::size_t kHeaderBytes = 84, kTriangleBytes = 50;
+constexpr std::size_t kHeaderBytes = 84, kCountOffset = 80;
+constexpr std::size_t kTriangleBytes = 50, kAttributeBytes = 2;
 
 std::string lower_case(std::string_view word) {
   std::string lower(word);
@@ -38,7 +40,8 @@ T value_at(std::string_view content, std::size_t offset) {
 }
 
 std::size_t announced_bytes(std::string_view content) {
-  return kHeaderBytes + kTriangleBytes * std::size_t{value_at<std::uint32_t>(content, 80)};
+  return kHeaderBytes +
+         kTriangleBytes * std::size_t{value_at<std::uint32_t>(content, kCountOffset)};
 }
 
 // A binary file may begin with "solid" too, and a text file may be of any size.
@@ -58,7 +61,7 @@ void check_binary(const std::string& name, std::string_view content) {
                     "nor the {} bytes of a binary header",
                     name, content.size(), kHeaderBytes));
   }
-  const std::uint32_t triangles = value_at<std::uint32_t>(content, 80);
+  const std::uint32_t triangles = value_at<std::uint32_t>(content, kCountOffset);
   if (announced_bytes(content) != content.size()) {
     throw InputError(
         fmt::format("{}: the binary header announces {} triangles, which take {} bytes, "
@@ -81,12 +84,13 @@ void check_binary(const std::string& name, std::string_view content) {
   }
 }
 
-// One state per kind of line: what has been opened and not been closed yet.
-class TextCheck {
+// Turns text into the binary form. One state per kind of line: what has been opened and not been
+// closed yet.
+class TextReader {
  public:
-  TextCheck(const std::string& name, std::string_view content) : file_(name, content) {}
+  TextReader(const std::string& name, std::string_view content) : file_(name, content) {}
 
-  void run() {
+  std::string run() {
     while (file_.next_words()) {
       check_line(lower_case(file_.word(0)));
     }
@@ -97,6 +101,8 @@ class TextCheck {
     if (triangles_ == 0) {
       file_.fail("the file has no triangles ('facet' lines)");
     }
+    std::memcpy(binary_.data() + kCountOffset, &triangles_, sizeof triangles_);
+    return std::move(binary_);
   }
 
  private:
@@ -107,19 +113,22 @@ class TextCheck {
       step(State::outside, State::solid);
     } else if (keyword == "facet") {
       step(State::solid, State::facet);
-      file_.require_numbers(2, "xyz", "the normal");
+      require_words(5, "facet normal <x> <y> <z>");
+      append_numbers(2, "the normal");
     } else if (keyword == "outer") {
       step(State::facet, State::loop);
+      require_words(2, "outer loop");
       vertices_ = 0;
     } else if (keyword == "vertex") {
       step(State::loop, State::loop);
-      file_.require_numbers(1, "xyz", "the vertex");
+      append_numbers(1, "the vertex");
       ++vertices_;
     } else if (keyword == "endloop") {
       step(State::loop, State::loop_closed);
       require_three();
     } else if (keyword == "endfacet") {
       step(State::loop_closed, State::solid);
+      binary_.append(kAttributeBytes, '\0');
       ++triangles_;
     } else if (keyword == "endsolid") {
       step(State::solid, State::outside);
@@ -135,6 +144,20 @@ class TextCheck {
                              closing()));
     }
     state_ = to;
+  }
+
+  void require_words(std::size_t n, const char* pattern) const {
+    if (file_.words().size() != n) {
+      file_.fail(fmt::format("'{}' expected", pattern));
+    }
+  }
+
+  void append_numbers(std::size_t first, const char* what) {
+    file_.require_numbers(first, "xyz", what);
+    for (std::size_t i = first; i < first + 3; ++i) {
+      const float value = to_float(file_.word(i));
+      binary_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
   }
 
   void require_three() const {
@@ -157,17 +180,19 @@ class TextCheck {
 
   TextFile file_;
   State state_ = State::outside;
-  long long vertices_ = 0, triangles_ = 0;
+  long long vertices_ = 0;
+  std::uint32_t triangles_ = 0;
+  std::string binary_ = std::string(kHeaderBytes, ' ');
 };
 
 }  // namespace
 
-void check_stl(const std::string& name, std::string_view content) {
+std::string geometry_of_stl(const std::string& name, std::string content) {
   if (is_binary(content)) {
     check_binary(name, content);
-  } else {
-    TextCheck(name, content).run();
+    return content;
   }
+  return TextReader(name, content).run();
 }
 
 }  // namespace clipscope::experiments

@@ -118,6 +118,13 @@ std::optional<double> to_number(std::string_view word) {
   return value;
 }
 
+float to_float(std::string_view word) {
+  word = without_plus(word);
+  float value = 0;  // stays 0 where the number is too small even for a subnormal
+  std::from_chars(word.data(), word.data() + word.size(), value);
+  return value;
+}
+
 std::optional<long long> to_integer(std::string_view word) {
   word = without_plus(word);
   long long value = 0;

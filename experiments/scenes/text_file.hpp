@@ -49,6 +49,8 @@ class TextFile {
 };
 
 std::optional<double> to_number(std::string_view word);
+// The float nearest to the number. Pre-condition: it is a number that a float can hold.
+float to_float(std::string_view word);
 std::optional<long long> to_integer(std::string_view word);
 
 // What is wrong with a coordinate: "NaN", "infinite" or "1e300, too large for a float"; empty if

@@ -94,6 +94,8 @@ TEST_CASE("bad PLY: each fault of a text file is found at its line") {
   };
   CHECK(contains(with("ply\n", "plie\n"), "a.ply:1: the file does not begin with the line 'ply'"));
   CHECK(contains(with("format ascii", "format asci"), "a.ply:2: the format is 'asci'"));
+  CHECK(contains(with("ascii 1.0", "ascii 2.0"),
+                 "a.ply:2: the format version is '2.0'; 1.0 expected"));
   CHECK(contains(with("element vertex 5", "element vertex five"),
                  "a.ply:4: the element count is 'five'"));
   CHECK(
@@ -145,6 +147,7 @@ TEST_CASE("bad STL: each fault of a text file is found at its line") {
   CHECK(contains(with("  vertex 1 0 0\n", "  vertex 1 0 0\n  vertex 1 0 0\n"), "has 4 vertices"));
   CHECK(contains(with("endloop", "endlop"), "a.stl:7: 'endlop' is no STL keyword; 'endloop' was"));
   CHECK(contains(with("endfacet", "outer loop"), "'endfacet' was expected"));
+  CHECK(contains(with("facet normal", "facet"), "a.stl:2: 'facet normal <x> <y> <z>' expected"));
   CHECK(contains(with("endsolid a pyramid\n", ""), "'endsolid' is missing: it is truncated"));
   CHECK(contains(refusal("a.stl", "solid nothing\nendsolid nothing\n"), "no triangles"));
 }

@@ -141,6 +141,36 @@ TEST_CASE("OBJ: numbers may be written in every way that C prints them") {
   CHECK(mesh.positions[2] == Point{0, 1, 0});
 }
 
+TEST_CASE("OBJ: a texture coordinate may be u alone, or u, v and w") {
+  const TemporaryFolder folder;
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt .25\nvt 1 2 3\nf 1/1 2/1 3/2\n";
+  const Mesh mesh = load_mesh(folder.write("a.obj", obj));
+  REQUIRE(mesh.attributes.size() == 3);
+  CHECK(mesh.attributes[0][0] == 0.25f);
+  CHECK(mesh.attributes[2][1] == 2);
+}
+
+TEST_CASE(
+    "STL: text with nine digits gives back the float it was printed from, at every magnitude") {
+  std::vector<float> values;
+  std::string text = "solid\n";
+  for (int i = 0; i < 90; ++i) {
+    if (i % 9 == 0) text += "facet normal 0 0 0\nouter loop\n";
+    values.push_back(std::ldexp(1 + static_cast<float>(i * i % 97) / 97, 3 * i - 140));
+    char word[40];
+    std::snprintf(word, sizeof word, i % 3 == 0 ? "vertex %.9g" : " %.9g", double{values.back()});
+    text += word;
+    if (i % 3 == 2) text += "\n";
+    if (i % 9 == 8) text += "endloop\nendfacet\n";
+  }
+  const TemporaryFolder folder;
+  const Mesh mesh = load_mesh(folder.write("digits.stl", text + "endsolid\n"));
+  REQUIRE(mesh.triangles.size() == 10);
+  for (std::size_t i = 0; i < 90; ++i) {
+    CHECK(mesh.positions[mesh.triangles[i / 9][i / 3 % 3]][i % 3] == values[i]);
+  }
+}
+
 TEST_CASE("OBJ: a face may come before its vertices") {
   const TemporaryFolder folder;
   CHECK(load_mesh(folder.write("a.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n")).triangles.size() ==

@@ -24,6 +24,9 @@ using glm::dvec3;
 // Below this sine two directions count as parallel.
 constexpr double kParallelSine = 1e-9;
 
+// Ratio of far to near that defaults don't exceed, however far the eye is from the mesh.
+constexpr double kMostFarPerNear = 1e5;
+
 std::string text(const dvec3& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
 bool are_parallel(const dvec3& a, const dvec3& b) {
@@ -95,7 +98,8 @@ double near_of(const Subject& subject, const CameraOptions& options) {
 // `depth` is where the far plane lies by default.
 View place(std::string label, const Subject& subject, const CameraOptions& options,
            const dvec3& eye, const dvec3& target, double depth) {
-  const double near = near_of(subject, options);
+  const double near =
+      options.near.value_or(std::max(near_of(subject, options), depth / kMostFarPerNear));
   const double far = options.far.value_or(std::max(depth, 2 * near));
   Frustum<float> frustum = perspective_frustum(options.fovy_degrees, options.aspect, near, far);
   frustum.depth = options.depth;

@@ -47,8 +47,9 @@ glm::dmat4 look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::d
 //   one whose near plane cuts the mesh in the middle of the picture,
 //   one from within the bounding box, with parts of the mesh behind the eye,
 //   one whose near and far planes both cut the mesh.
-// A near or far that is not given is chosen from the bounding box: near is 1/100 of its half diagonal
-// (but never more than a thousandth of far), far lies behind all of it.
+// A near or far that is not given is chosen from the bounding box: near is 1/100 of its half diagonal,
+// or more for an eye far away, so that far / near stays below 1e5; far lies behind all of the box (in
+// the last of the six: halfway through it).
 // Errors: UsageError naming the option and what it takes.
 // Pre-condition: the mesh has a triangle.
 std::vector<View> make_views(const Mesh& mesh, const CameraOptions& options);

@@ -23,7 +23,7 @@ struct Closer {
 
 }  // namespace
 
-std::string read_bytes(const std::filesystem::path& path) {
+void require_file(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) {
@@ -36,10 +36,15 @@ std::string read_bytes(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(status)) {
     fail(path, "not a regular file; a mesh file expected");
   }
+}
+
+std::string read_bytes(const std::filesystem::path& path) {
+  require_file(path);
   const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
   if (!file) {
     fail(path, fmt::format("can't be opened: {}", std::strerror(errno)));
   }
+  std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
   if (error) {
     fail(path, error.message());

@@ -6,8 +6,10 @@
 
 namespace clipscope::experiments {
 
-// All bytes of a regular file. Errors: InputError naming it and the reason for a file that is missing,
-// a directory, unreadable or empty.
+// Errors: InputError naming the file if it is missing, a directory or no regular file.
+void require_file(const std::filesystem::path& path);
+
+// All bytes of a file. Errors: those of require_file; InputError if it is unreadable or empty.
 std::string read_bytes(const std::filesystem::path& path);
 
 }  // namespace clipscope::experiments

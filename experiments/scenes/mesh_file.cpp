@@ -39,22 +39,24 @@ std::string extension_of(const std::filesystem::path& path) {
 
 SoundFile read_and_check(const std::filesystem::path& path) {
   const std::string name = path.string(), extension = extension_of(path);
-  SoundFile file{extension.substr(extension.empty() ? 0 : 1), read_bytes(path)};
+  require_file(path);
   if (extension == ".obj") {
-    file.bytes = geometry_of_obj(name, file.bytes);
-  } else if (extension == ".ply") {
-    check_ply(name, file.bytes);
-  } else if (extension == ".stl") {
-    file.bytes = geometry_of_stl(name, std::move(file.bytes));
-  } else if (extension == ".gltf" || extension == ".glb") {
-    file = {"glb", geometry_of(read_gltf(path, file.bytes))};
-  } else {
-    throw InputError(
-        fmt::format("{}: the extension '{}' is no mesh format; .obj, .ply, .stl, .gltf or "
-                    ".glb expected",
-                    name, extension));
+    return {"obj", geometry_of_obj(name, read_bytes(path))};
   }
-  return file;
+  if (extension == ".ply") {
+    std::string bytes = read_bytes(path);
+    check_ply(name, bytes);
+    return {"ply", std::move(bytes)};
+  }
+  if (extension == ".stl") {
+    return {"stl", geometry_of_stl(name, read_bytes(path))};
+  }
+  if (extension == ".gltf" || extension == ".glb") {
+    return {"glb", geometry_of(read_gltf(path, read_bytes(path)))};
+  }
+  throw InputError(fmt::format(
+      "{}: the extension '{}' is no mesh format; .obj, .ply, .stl, .gltf or .glb expected", name,
+      extension));
 }
 
 // Keeps assimp from opening the files that a mesh file names, such as materials.

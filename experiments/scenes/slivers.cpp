@@ -25,6 +25,12 @@ dvec3 inside_point(const Frustum<float>& f, Random& random) {
   return {x * depth / f.near, y * depth / f.near, -depth};
 }
 
+// Uniform in [lo, 1), times a random power of two down to 2^-23.
+double small_factor(Random& random, double lo) {
+  const double factor = random.uniform(lo, 1);
+  return std::ldexp(factor, -static_cast<int>(random.below(24)));
+}
+
 // Two corners close together, the third far away.
 std::array<dvec3, 3> needle(const dvec3& anchor, Random& random) {
   const double length = random.across_magnitudes(kShortest, kLongest);
@@ -39,7 +45,7 @@ std::array<dvec3, 3> needle(const dvec3& anchor, Random& random) {
 std::array<dvec3, 3> near_collinear(const dvec3& anchor, Random& random) {
   const double length = random.across_magnitudes(kShortest, kLongest);
   const dvec3 along = random.direction(), aside = random.direction();
-  const double off = length * std::ldexp(random.uniform(), -static_cast<int>(random.below(24)));
+  const double off = length * small_factor(random, 0);
   return {anchor - random.uniform() * length * along, anchor + off * aside,
           anchor + random.uniform() * length * along};
 }
@@ -50,8 +56,9 @@ std::array<dvec3, 3> near_planar(const Frustum<float>& f, Random& random) {
   const double sign = plane % 2 == 0 ? -1 : 1;
   std::array<dvec3, 3> corners;
   for (dvec3& p : corners) {
-    p = inside_point(f, random) * random.uniform(0.5, 2);
-    const double off = std::ldexp(random.uniform(-1, 1), -static_cast<int>(random.below(24)));
+    p = inside_point(f, random);
+    p *= random.uniform(0.5, 2);
+    const double off = small_factor(random, -1);
     if (plane < 2) {
       p.x = sign * double{f.right} / f.near * -p.z * (1 + off);
     } else if (plane < 4) {

@@ -25,7 +25,8 @@ namespace {
 using glm::dvec3;
 using Corners = std::array<std::array<float, 3>, 3>;
 
-constexpr double kMargin = 1e-5;  // see the header
+constexpr double kMargin = 1e-5;           // see the header
+constexpr int kMostProposals = 1'000'000;  // usual are a few
 constexpr double kScreenHeight_px = 2160;
 constexpr double kInfiniteFarDepth = 1e4;  // in near distances: how deep a soup reaches without far
 
@@ -82,8 +83,7 @@ class Proposer {
 
   Corners propose(SoupClass wanted) {
     switch (wanted) {
-      case SoupClass::inside:
-        return blob(at(random_.uniform(-1, 1), random_.uniform(-1, 1), depth()), 1, 100);
+      case SoupClass::inside: return blob(inside_point(), 1, 100);
       case SoupClass::outside: return blob(outside_point(), 1, 100);
       case SoupClass::straddling: return random_.chance(0.85) ? across_side() : across_depth();
       default: return across_eye();
@@ -127,10 +127,17 @@ class Proposer {
     return around(centre, 0.5 * size_px * pixel(centre.z));
   }
 
+  double either_sign(double magnitude) { return random_.sign() * magnitude; }
+
+  dvec3 inside_point() {
+    const double x = random_.uniform(-1, 1), y = random_.uniform(-1, 1);
+    return at(x, y, depth());
+  }
+
   // Beside the volume, sometimes behind the eye or beyond far.
   dvec3 outside_point() {
     const double kind = random_.uniform();
-    const double along = random_.uniform(-2, 2), beyond = random_.sign() * random_.uniform(1, 4);
+    const double along = random_.uniform(-2, 2), beyond = either_sign(random_.uniform(1, 4));
     const double d = depth();
     if (kind < 0.4) {
       return at(beyond, along, d);
@@ -146,8 +153,7 @@ class Proposer {
   }
 
   Corners across_side() {
-    const double along = random_.uniform(-1, 1),
-                 border = random_.sign() * random_.uniform(0.9, 1.1);
+    const double along = random_.uniform(-1, 1), border = either_sign(random_.uniform(0.9, 1.1));
     const double d = depth();
     const bool is_x = random_.chance(0.5);
     return blob(is_x ? at(border, along, d) : at(along, border, d), 16, 400);
@@ -166,7 +172,8 @@ class Proposer {
   // From inside the volume to behind the eye.
   Corners across_eye() {
     const double d = depth();
-    const dvec3 inside = at(random_.uniform(-1, 1), random_.uniform(-1, 1), d);
+    const double x = random_.uniform(-1, 1), y = random_.uniform(-1, 1);
+    const dvec3 inside = at(x, y, d);
     const double reach = d * random_.across_magnitudes(0.0625, 4);
     const dvec3 behind = reach * random_.in_cube() + dvec3(0, 0, reach);
     const dvec3 third = random_.chance(0.5) ? inside + 0.25 * reach * random_.in_cube()
@@ -231,6 +238,19 @@ std::vector<SoupClass> shuffled_classes(const SoupShares& shares, std::size_t tr
   return classes;
 }
 
+Corners find_triangle(SoupClass wanted, Proposer& proposer, const Frustum<float>& frustum) {
+  for (int i = 0; i < kMostProposals; ++i) {
+    const Corners corners = proposer.propose(wanted);
+    if (classify(frustum, corners) == wanted) {
+      return corners;
+    }
+  }
+  throw UsageError(
+      fmt::format("soup: the volume from near {} to far {} is too thin for triangles of a "
+                  "pixel and more; move near and far apart",
+                  frustum.near, frustum.far));
+}
+
 Scene soup_scene(const SoupShares& shares, const SceneOptions& options) {
   Scene scene;
   scene.views = {identity_view()};
@@ -273,10 +293,7 @@ Mesh make_soup(const SoupShares& shares, std::size_t triangles, std::uint64_t se
   Proposer proposer(frustum, seed);
   Mesh mesh;
   for (const SoupClass wanted : shuffled_classes(shares, triangles, proposer.random())) {
-    Corners corners = proposer.propose(wanted);
-    while (classify(frustum, corners) != wanted) {
-      corners = proposer.propose(wanted);
-    }
+    const Corners corners = find_triangle(wanted, proposer, frustum);
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     for (const auto& [x, y, z] : corners) {
       Random& r = proposer.random();

@@ -33,8 +33,8 @@ SoupClass classify(const Frustum<float>& frustum,
 
 // `triangles` triangles with three vertices of their own each, the classes in random order.
 // Attributes: u, v in [0, 1], the two others in [-1, 1].
-// Errors: UsageError for a negative share, shares that sum to 0, and crossing_w0 > 0 with a parallel
-// projection. Pre-condition: is_valid(frustum).
+// Errors: UsageError for a negative share, shares that sum to 0, crossing_w0 > 0 with a parallel
+// projection, and a volume so thin that a million proposals of a class found no triangle. Pre-condition: is_valid(frustum).
 Mesh make_soup(const SoupShares& shares, std::size_t triangles, std::uint64_t seed,
                const Frustum<float>& frustum);
 

@@ -9,6 +9,7 @@
 #include "experiments/errors.hpp"
 #include "spaces/planes.hpp"
 #include "tests/catch.hpp"
+#include "tests/experiments/scenes/mesh_bits.hpp"
 #include "tests/experiments/scenes/messages.hpp"
 
 namespace clipscope::experiments {
@@ -76,6 +77,18 @@ TEST_CASE("scenes: the same options give the same bits") {
   const std::string name = GENERATE(from_range(names()));
   const SceneOptions options{.seed = 9, .quick = true};
   CHECK(same_bits(make_builtin_scene(name, options).mesh, make_builtin_scene(name, options).mesh));
+}
+
+TEST_CASE("scenes: seed 1 gives the same bits on every platform") {
+  const auto hash = [](const char* name) {
+    return hash_of(make_builtin_scene(name, {.seed = 1, .quick = true}).mesh);
+  };
+  CHECK(hash("teapot") == 0xf1dfde061f97ee61u);
+  CHECK(hash("floor") == 0xbb41c0a286611707u);
+  CHECK(hash("corridor") == 0xe748f494dac29515u);
+  CHECK(hash("terrain") == 0x1820d3a141bb9501u);
+  CHECK(hash("soup") == 0x6e4195ef9615d684u);
+  CHECK(hash("slivers") == 0x171352dd71fe3288u);
 }
 
 TEST_CASE("scenes: the random ones change with the seed") {

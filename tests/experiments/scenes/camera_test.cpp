@@ -123,6 +123,14 @@ TEST_CASE(
   CHECK(views[0].frustum.depth == DepthRange::reversed);
 }
 
+TEST_CASE("make_views: an eye far away gets near and far of a ratio that depth can bear") {
+  CameraOptions options;
+  options.eye = glm::dvec3(0, 0, 1e9);
+  const Frustum<float> f = make_views(cube(), options).front().frustum;
+  CHECK(f.far > 1e9f);
+  CHECK(f.far / f.near < 1.1e5f);
+}
+
 TEST_CASE("make_views: an eye straight above the centre needs no up") {
   CameraOptions options;
   options.eye = glm::dvec3(0, 10, 0);

@@ -57,7 +57,7 @@ TEST_CASE("damaged files: one with a byte changed is refused or sound") {
   const SampleFile file = GENERATE(from_range(sample_files()));
   const TemporaryFolder folder;
   for (std::size_t i = 0; i < file.content.size(); ++i) {
-    for (const int change : {0x01, 0x10, 0x80, 0xff}) {
+    for (const int change : {0x01, 0x90}) {
       std::string content = file.content;
       content[i] = static_cast<char>(content[i] ^ change);
       const auto mesh = try_load(folder.write(file.name, content));

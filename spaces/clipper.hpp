@@ -28,10 +28,12 @@ namespace clipscope {
 // scalars have u = 0: there the promise is the exact answer.
 // `clipscope verify` checks it on every triangle, and the tests try to break it.
 struct Promise {
+  // Which finite triangles the promise speaks of.
   enum class Domain {
-    any,            // every finite triangle
-    in_front,       // all vertices on the inner side of the near plane (hence w > 0 in perspective)
-    all_or_nothing  // every finite triangle, but a straddling one is kept or dropped whole
+    any,
+    divisible,       // w > 0 on the part in front of the near plane: all that view space can give
+    in_front,        // every vertex in front of the near plane, and w > 0 on it
+    all_or_nothing,  // any, but a straddling triangle is kept or dropped whole
   };
   enum class Amplification { none, w_ratio };
 

@@ -123,9 +123,9 @@ Frustum<double> described_frustum(const TriangleTextOptions& options) {
 
 void add_triangle_text_options(CLI::App& command, TriangleTextOptions& options) {
   command
-      .add_option("--space", options.space, "Space of the input: view (x y z) or clip (x y z w)")
-      ->check(CLI::IsMember({"view", "clip"}))
-      ->required();
+      .add_option("--space", options.space,
+                  "Space of the input: view (x y z) or clip (x y z w) [view]")
+      ->check(CLI::IsMember({"view", "clip"}));
   command.add_option("--scalar", options.scalar,
                      "Scalar to compute in (see `clipscope list scalars`) [float]");
   command.add_option("--attributes", options.attributes, "Attributes per vertex [0]")

@@ -286,6 +286,17 @@ WRange w_in_front(DepthRange depth, const ClipCorners& corners) {
   return range;
 }
 
+// divisible: no vertex has w = 0.
+bool is_in_domain(Promise::Domain domain, const WRange& w, bool divisible) {
+  switch (domain) {
+    case Promise::Domain::any: return true;
+    case Promise::Domain::divisible: return w.smallest > 0;
+    case Promise::Domain::in_front: return w.in_front && w.smallest > 0;
+    case Promise::Domain::all_or_nothing: return divisible;
+  }
+  return true;
+}
+
 }  // namespace
 
 PromiseChecker::PromiseChecker(const Frustum<double>& frustum)
@@ -327,8 +338,7 @@ PromiseCheck PromiseChecker::check(const Promise& promise, const InputTriangle& 
   }
   const WRange w = w_in_front(depth_, rounded);
   PromiseCheck check;
-  if ((promise.domain == Promise::Domain::in_front && (!w.in_front || w.smallest <= 0)) ||
-      (promise.domain == Promise::Domain::all_or_nothing && !divisible)) {
+  if (!is_in_domain(promise.domain, w, divisible)) {
     check.verdict = PromiseVerdict::outside_domain;
     return check;
   }

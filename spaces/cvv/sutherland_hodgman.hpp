@@ -8,10 +8,11 @@
 //
 // Perspective-correct interpolation: Blinn, "Hyperbolic Interpolation", IEEE CG&A 12(4), 1992; Heckbert
 // and Moreton, "Interpolation for Polygon Texture Mapping and Shading", 1991.
-// Does not guarantee: anything sensible where some w <= 0, but for cvv/near_first: dividing by a
-// negative w mirrors a vertex to the other side, dividing by 0 sends it to infinity. What that does
-// to a picture is what the first two are here to show. A triangle with a vertex at w = 0
-// yields nothing in scalars that know no infinity.
+// Does not guarantee: anything sensible where some w <= 0: dividing by a negative w mirrors a vertex to the
+// other side, dividing by 0 sends it to infinity. What that does to a picture is what the first two
+// are here to show. For cvv/near_first the near cut leaves w > 0 of whatever comes from view space; a
+// clip-space triangle that no projection makes may keep w <= 0 in front of the near plane, and is then
+// dropped. A triangle divided by w = 0 yields nothing in scalars that know no infinity.
 #pragma once
 
 #include <utility>
@@ -142,7 +143,9 @@ struct CvvNearFirst {
       "homogeneous cut by the near plane, divide, then Sutherland-Hodgman in NDC";
   static constexpr std::string_view source =
       "Blinn, A Trip Down the Graphics Pipeline: Line Clipping, 1991";
-  static constexpr Promise promise{.ulps = 64, .amplification = Promise::Amplification::w_ratio};
+  static constexpr Promise promise{.domain = Promise::Domain::divisible,
+                                   .ulps = 64,
+                                   .amplification = Promise::Amplification::w_ratio};
 
   template <Scalar T, int K>
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,

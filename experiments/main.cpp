@@ -53,7 +53,6 @@ int main(int argc, char* argv[]) {
       "clip space and the canonical view volume, judged by an exact reference.",
       "clipscope");
   app.set_version_flag("--version", fmt::format("clipscope {} ({})", kVersion, kCommit));
-  app.require_subcommand(1);
   app.footer(kFooter);
   Action action;
   add_run_command(app, action);
@@ -67,6 +66,10 @@ int main(int argc, char* argv[]) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitOk : kExitUsage;
+  }
+  if (!action) {
+    fmt::print(stderr, "{}", app.help());
+    return report("", UsageError("a subcommand is missing"), kExitUsage);
   }
   return run_action(action);
 }

@@ -48,8 +48,9 @@ void run_accuracy(const ExperimentContext& context) {
     if (farthest[i].error == 0) continue;
     worst.add_row({std::string(clipper_name(contestants[i])),
                    std::string(scalar_name(contestants[i])), farthest[i].error,
-                   fmt::format("--scene {} --view {} --triangle {}", farthest[i].scene,
-                               farthest[i].view, farthest[i].triangle)});
+                   fmt::format("--scene {} --view '{}' --triangle {} --seed {}{}",
+                               farthest[i].scene, farthest[i].view, farthest[i].triangle,
+                               selection.seed, selection.quick ? " --quick" : "")});
   }
   add_accuracy_notes(table);
   table.add_note(fmt::format("Seed {}; at most {} triangles per view, evenly spaced.",

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/number_list.hpp"
 #include "experiments/commands/selection.hpp"
 #include "experiments/errors.hpp"
 #include "experiments/pictures/draw_scene.hpp"
@@ -19,7 +20,7 @@ struct RenderOptions {
   Selection selection;
   std::string scene, scalar = "float", view, against, out;
   double cells = 8;
-  std::vector<int> size = {960, 540};
+  PictureSize size;
 };
 
 void print_counts(const HeatMapCounts& counts) {
@@ -29,13 +30,21 @@ void print_counts(const HeatMapCounts& counts) {
              counts[PixelFate::extra], counts[PixelFate::flipped], counts[PixelFate::not_finite]);
 }
 
+PictureSize picture_size(const std::vector<double>& size) {
+  for (const double length : size) {
+    if (!(length >= 16 && length <= 16384)) {
+      throw CLI::ValidationError("--size", fmt::format("{} given, 16 to 16384 expected", length));
+    }
+  }
+  return {static_cast<int>(size[0]), static_cast<int>(size[1])};
+}
+
 int render(const RenderOptions& options) {
   check_image_path(options.out);
   const AnyContestant contestant = find_contestant(options.selection.clipper, options.scalar);
   const Scene scene = load_selected_scene(options.selection, options.scene);
   const View& view = find_view(scene, options.view);
-  const PictureSize size{options.size[0], options.size[1]};
-  const FrameBuffer tested = draw_with(contestant, scene, view, size);
+  const FrameBuffer tested = draw_with(contestant, scene, view, options.size);
   const std::string title = fmt::format("{}, {}", scene.name, view.label);
   Figure figure{&tested,
                 nullptr,
@@ -43,7 +52,7 @@ int render(const RenderOptions& options) {
                 {.cells_per_unit = options.cells}};
   std::optional<HeatMap> heat_map;
   if (!options.against.empty()) {
-    heat_map = compare(tested, draw_exact(scene, view, size));
+    heat_map = compare(tested, draw_exact(scene, view, options.size));
     figure.heat_map = &*heat_map;
     print_counts(heat_map->counts);
   }
@@ -73,11 +82,10 @@ void add_render_command(CLI::App& app, Action& action) {
   command->add_option("--against", options->against, "Also show the error against this")
       ->check(CLI::IsMember({"exact"}));
   command->add_option("--cells", options->cells, "Checkerboard cells per unit of u and v [8]");
-  command->add_option("--size", options->size, "Width and height in pixels [960,540]")
-      ->delimiter(',')
-      ->expected(2)
-      ->type_name("W,H")
-      ->check(CLI::Range(16, 16384));
+  add_number_list(
+      *command, "--size", 2, "W,H",
+      [options](const std::vector<double>& size) { options->size = picture_size(size); },
+      "Width and height in pixels [960,540]");
   command->add_option("--out", options->out, "Where to write: FILE.png or FILE.exr")
       ->type_name("FILE")
       ->required();

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "experiments/commands/number_list.hpp"
 #include "experiments/scenes/builtin.hpp"
 
 namespace clipscope::experiments {
@@ -11,13 +12,9 @@ namespace {
 
 CLI::Option* add_vector_option(CLI::App& command, const std::string& name,
                                std::optional<glm::dvec3>& value, const std::string& help) {
-  return command
-      .add_option_function<std::vector<double>>(
-          name, [&value](const std::vector<double>& v) { value = glm::dvec3(v[0], v[1], v[2]); },
-          help)
-      ->delimiter(',')
-      ->expected(3)
-      ->type_name("X,Y,Z");
+  return add_number_list(
+      command, name, 3, "X,Y,Z",
+      [&value](const std::vector<double>& v) { value = glm::dvec3(v[0], v[1], v[2]); }, help);
 }
 
 void add_camera_options(CLI::App& command, CameraOptions& camera) {
@@ -46,7 +43,7 @@ void add_scene_options(CLI::App& command, Selection& selection) {
                   "A built-in scene (see `clipscope list scenes`) or a mesh file (OBJ, PLY, STL, "
                   "glTF); may be repeated [all built-in scenes]")
       ->type_name("NAME|FILE")
-      ->take_all();
+      ->allow_extra_args(false);
   command.add_option("--seed", selection.seed, "Seed of the random scenes [1]");
   command.add_option("--sample", selection.sample,
                      "At most this many triangles per view, evenly spaced; 0: all");
@@ -63,7 +60,8 @@ void add_contestant_options(CLI::App& command, Selection& selection) {
       .add_option("--scalar", selection.scalars,
                   "Scalars, separated by commas (see `clipscope list scalars`) [float,double]")
       ->type_name("LIST")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
 }
 
 void add_json_option(CLI::App& command, Selection& selection) {

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "experiments/commands/number_list.hpp"
 #include "experiments/errors.hpp"
 #include "spaces/vertex.hpp"
 
@@ -131,9 +132,11 @@ void add_triangle_text_options(CLI::App& command, TriangleTextOptions& options) 
   command.add_option("--attributes", options.attributes, "Attributes per vertex [0]")
       ->type_name("K")
       ->check(CLI::Range(0, kMaxAttributes));
-  const auto numbers = [&](const char* name, std::vector<double>& target, int count,
+  const auto numbers = [&](const char* name, std::vector<double>& target, std::size_t count,
                            const char* type, const char* help) {
-    command.add_option(name, target, help)->delimiter(',')->expected(count)->type_name(type);
+    add_number_list(
+        command, name, count, type,
+        [&target](const std::vector<double>& values) { target = values; }, help);
   };
   numbers("--perspective", options.perspective, 4, "FOVY,ASPECT,NEAR,FAR",
           "Perspective projection, FOVY in degrees; FAR may be inf");

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "experiments/measure/batches.hpp"
+#include "experiments/measure/machine.hpp"
 #include "experiments/measure/promise.hpp"
 
 namespace clipscope::experiments {
@@ -126,6 +127,7 @@ std::vector<Timing> measure_time(std::span<const TimedBatch> batches,
     for (Timing& timing : timings) timing.refused = "no triangles";
     return timings;
   }
+  const PinnedThread pinned;
   const double target_ns = options.milliseconds_per_run * 1e6;
   const auto prepare = [&](const AnyContestant& contestant) {
     std::unique_ptr<Runner> runner = make_runner(contestant, batches);

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The promise checker must let right answers pass and catch answers that are wrong in each way.
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "experiments/contestants/contestant.hpp"
+#include "experiments/measure/batches.hpp"
+#include "experiments/measure/promise.hpp"
+#include "experiments/scenes/builtin.hpp"
+#include "tests/catch.hpp"
+
+using namespace clipscope;
+using namespace clipscope::experiments;
+
+namespace {
+
+using Vertices = std::vector<NdcVertex<float, kSceneAttributes>>;
+
+// One vertex outside the right plane: the answer has four vertices.
+SceneTriangle straddling() {
+  SceneTriangle triangle{};
+  triangle[0].position = {0, 0, -2};
+  triangle[1].position = {3, 0, -2};
+  triangle[2].position = {0, 1, -2};
+  for (std::size_t i = 0; i < 3; ++i) triangle[i].attributes[static_cast<int>(i)] = 1;
+  return triangle;
+}
+
+Vertices answer_of(std::string_view clipper, const SceneTriangle& triangle) {
+  const auto* contestant = std::get<const Contestant<float>*>(find_contestant(clipper, "float"));
+  PolygonStream<float, kSceneAttributes> out;
+  contestant->view(Projection<float>(Frustum<float>{}), std::span(&triangle, 1), out);
+  return {out[0].begin(), out[0].end()};
+}
+
+PromiseCheck check(const Promise& promise, const Vertices& answer, const SceneTriangle& triangle) {
+  const PromiseChecker checker{Frustum<double>{}};
+  return checker.check<float, kSceneAttributes>(promise, reference::input_triangle(triangle),
+                                                answer);
+}
+
+const Promise kFull{.ulps = 64};
+
+void check_broken(const std::function<void(Vertices&)>& break_it, const std::string& reason) {
+  Vertices answer = answer_of("homogeneous/sutherland_hodgman", straddling());
+  REQUIRE(answer.size() == 4);
+  REQUIRE(check(kFull, answer, straddling()).verdict == PromiseVerdict::kept);
+  break_it(answer);
+  const PromiseCheck result = check(kFull, answer, straddling());
+  CHECK(result.verdict == PromiseVerdict::broken);
+  INFO(result.reason);
+  CHECK(result.reason.find(reason) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("promise: a vertex moved off the triangle breaks it") {
+  check_broken([](Vertices& v) { v[0].position[2] += 1e-3f; }, "off the triangle");
+}
+
+TEST_CASE("promise: a wrong attribute breaks it") {
+  check_broken([](Vertices& v) { v[1].attributes[0] += 1e-3f; }, "off the triangle");
+}
+
+TEST_CASE("promise: a wrong 1/w breaks it") {
+  check_broken([](Vertices& v) { v[1].position[3] *= 1.001f; }, "off the triangle");
+}
+
+TEST_CASE("promise: a vertex outside the volume breaks it") {
+  check_broken(
+      [](Vertices& v) {
+        for (auto& vertex : v) {
+          if (vertex.position[0] == 1) vertex.position[0] = 1.01f;
+        }
+      },
+      "outside the volume");
+}
+
+TEST_CASE("promise: a lost corner breaks it") {
+  check_broken([](Vertices& v) { v.pop_back(); }, "was not drawn");
+}
+
+TEST_CASE("promise: drawing nothing of something visible breaks it") {
+  check_broken([](Vertices& v) { v.clear(); }, "nothing was drawn");
+}
+
+TEST_CASE("promise: a coordinate that is not finite breaks it") {
+  check_broken([](Vertices& v) { v[0].position[0] = HUGE_VALF; }, "not finite");
+}
+
+TEST_CASE("promise: cvv/naive breaks it in front of the eye by its attributes alone") {
+  SceneTriangle deep = straddling();
+  deep[0].position = {-1, 0, -9};
+  const Vertices answer = answer_of("cvv/naive", deep);
+  Promise promise = kFull;
+  promise.amplification = Promise::Amplification::w_ratio;
+  CHECK(check(promise, answer, deep).verdict == PromiseVerdict::broken);
+  promise.attributes = false;
+  CHECK(check(promise, answer, deep).verdict == PromiseVerdict::kept);
+}
+
+TEST_CASE("promise: dropping straddling triangles loses what full coverage would promise") {
+  const Promise promise =
+      std::get<const Contestant<float>*>(find_contestant("any_outside", "float"))->promise;
+  CHECK(check(promise, {}, straddling()).verdict == PromiseVerdict::kept);
+  Promise more = promise;
+  more.covers = true;
+  CHECK(check(more, {}, straddling()).verdict == PromiseVerdict::broken);
+}
+
+TEST_CASE("promise: triangles behind the near plane are outside the domain of a divide first") {
+  SceneTriangle behind = straddling();
+  behind[2].position = {0, 1, 2};
+  const Promise promise =
+      std::get<const Contestant<float>*>(find_contestant("cvv/perspective", "float"))->promise;
+  CHECK(check(promise, answer_of("cvv/perspective", behind), behind).verdict ==
+        PromiseVerdict::outside_domain);
+  // And rightly so: the same answer breaks a promise for any triangle.
+  CHECK(check(kFull, answer_of("cvv/perspective", behind), behind).verdict ==
+        PromiseVerdict::broken);
+}
+
+TEST_CASE("promise: every clipper keeps its own on every built-in scene, in every scalar") {
+  for (const SceneInfo& info : builtin_scenes()) {
+    const Scene scene = make_builtin_scene(info.name, {.seed = 2, .quick = true});
+    const View& view = scene.views.back();
+    const PromiseChecker checker(frustum_cast<double>(view.frustum));
+    const Sample sample = sample_of(scene, 60);
+    const auto triangles = sampled_view_triangles(scene, view, sample, 0, sample.count);
+    for_each_type(AllScalars{}, [&]<class T>() {
+      for (const Contestant<T>& contestant : contestants<T>()) {
+        PolygonStream<T, kSceneAttributes> out;
+        contestant.view(projection_of<T>(view), triangles_cast<T>(triangles), out);
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+          const auto result = checker.check<T, kSceneAttributes>(
+              contestant.promise, reference::input_triangle(triangles[i]), out[i]);
+          INFO(info.name << " " << contestant.name << " " << ScalarTraits<T>::name << " triangle "
+                         << i << ": " << result.reason);
+          CHECK(result.verdict != PromiseVerdict::broken);
+        }
+      }
+    });
+  }
+}

@@ -7,6 +7,12 @@
 
 namespace clipscope::experiments {
 
+namespace {
+
+constexpr std::size_t kPrintedRows = 32;  // the files have them all
+
+}  // namespace
+
 ExperimentContext::ExperimentContext(Selection selection, std::filesystem::path out)
     : selection_(std::move(selection)), out_(std::move(out)) {}
 
@@ -15,7 +21,7 @@ void ExperimentContext::emit(const Table& table) const {
   if (selection_.json) {
     fmt::print("{}\n", table.to_json().dump(2));
   } else {
-    fmt::print("{}\n", table.to_text());
+    fmt::print("{}\n", table.to_text(kPrintedRows));
     emit_file(out_ / (table.name() + ".{md,csv,tex}"));
     fmt::print("\n");
   }

@@ -72,6 +72,7 @@ void add_run_command(CLI::App& app, Action& action) {
   command->footer(
       "Tables are printed and written as Markdown, CSV and LaTeX, pictures as PNG and EXR.");
   const auto options = std::make_shared<RunOptions>();
+  options->selection.scalars = {"float", "double", "double_double", "exact"};
   command->add_option("experiment", options->names,
                       "Names of experiments (see `clipscope list experiments`) [all]");
   add_scene_options(*command, options->selection);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/commands/selection.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <glm/vec3.hpp>
 #include <optional>
 
@@ -58,7 +61,8 @@ void add_contestant_options(CLI::App& command, Selection& selection) {
       ->type_name("GLOB");
   command
       .add_option("--scalar", selection.scalars,
-                  "Scalars, separated by commas (see `clipscope list scalars`) [float,double]")
+                  fmt::format("Scalars, separated by commas (see `clipscope list scalars`) [{}]",
+                              fmt::join(selection.scalars, ",")))
       ->type_name("LIST")
       ->delimiter(',')
       ->allow_extra_args(false);

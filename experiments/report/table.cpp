@@ -197,8 +197,10 @@ std::vector<std::vector<std::size_t>> Table::blocks(const std::vector<std::size_
   return blocks;
 }
 
-std::string Table::to_text() const {
-  const auto cells = formatted();
+std::string Table::to_text(std::size_t most) const {
+  auto cells = formatted();
+  const std::size_t hidden = cells.size() > most ? cells.size() - most : 0;
+  cells.resize(cells.size() - hidden);
   const std::vector<std::size_t> width = widths(cells);
   std::string text = title_ + "\n";
   for (const std::vector<std::size_t>& block : blocks(width)) {
@@ -216,6 +218,7 @@ std::string Table::to_text() const {
       text += line([&](std::size_t c) { return row[c]; });
     }
   }
+  if (hidden > 0) text += fmt::format("... and {} more rows in {}.md\n", hidden, name_);
   for (const std::string& note : notes_) text += wrapped(note);
   return text;
 }

@@ -6,6 +6,8 @@
 // digits that a reader needs.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -39,7 +41,8 @@ class Table {
 
   // At most 100 columns wide: what does not fit goes into a further block beneath, which repeats the
   // leading text columns.
-  std::string to_text() const;
+  // Of a table with more rows than `most` the first are shown, and how many more there are is said.
+  std::string to_text(std::size_t most = SIZE_MAX) const;
   std::string to_markdown() const;
   std::string to_csv() const;
   std::string to_latex() const;

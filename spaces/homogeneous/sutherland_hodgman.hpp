@@ -31,39 +31,53 @@ struct HomogeneousSutherlandHodgman {
   template <Scalar T, int K>
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
-    (*this)(projection.frustum.depth, to_clip(projection, triangle), out);
+    clip(projection.frustum.depth,
+         {to_clip(projection, triangle[0].position), to_clip(projection, triangle[1].position),
+          to_clip(projection, triangle[2].position)},
+         triangle, out);
   }
 
   template <Scalar T, int K>
   constexpr void operator()(DepthRange depth, const ClipTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
-    const TriangleOutcode code = combine(clip_outcode(depth, triangle[0].position),
-                                         clip_outcode(depth, triangle[1].position),
-                                         clip_outcode(depth, triangle[2].position));
-    out.clear();
-    if (code.all != 0) {
-      return;
-    }
-    if (code.any == 0) {
-      divide_inside(triangle, out);
-      return;
-    }
-    cut_planes(depth, triangle, code.any, out);
+    clip(depth, {triangle[0].position, triangle[1].position, triangle[2].position}, triangle, out);
   }
 
  private:
   static constexpr std::array<Plane, kPlanes> kOrder = {Plane::near,  Plane::far,    Plane::left,
                                                         Plane::right, Plane::bottom, Plane::top};
 
+  // `source` gives the attributes: they are not copied before they are needed.
+  template <Scalar T, Space S, int K>
+  static constexpr void clip(DepthRange depth, const std::array<Vec4<T>, 3>& positions,
+                             const Triangle<S, T, K>& source, NdcPolygon<T, K>& out) {
+    const TriangleOutcode code =
+        combine(clip_outcode(depth, positions[0]), clip_outcode(depth, positions[1]),
+                clip_outcode(depth, positions[2]));
+    out.clear();
+    if (code.all != 0) {
+      return;
+    }
+    if (code.any == 0) {
+      divide_inside(positions, source, out);
+      return;
+    }
+    const ClipTriangle<T, K> triangle = {ClipVertex<T, K>{positions[0], source[0].attributes},
+                                         ClipVertex<T, K>{positions[1], source[1].attributes},
+                                         ClipVertex<T, K>{positions[2], source[2].attributes}};
+    cut_planes(depth, triangle, code.any, out);
+  }
+
   // A vertex inside all planes has w >= |x| >= 0; only (0, 0, 0, 0) has w = 0, and is outside.
-  template <Scalar T, int K>
-  static constexpr void divide_inside(const ClipTriangle<T, K>& triangle, NdcPolygon<T, K>& out) {
-    for (const ClipVertex<T, K>& v : triangle) {
-      if (!(T(0) < v.position[3])) {
+  template <Scalar T, Space S, int K>
+  static constexpr void divide_inside(const std::array<Vec4<T>, 3>& positions,
+                                      const Triangle<S, T, K>& source, NdcPolygon<T, K>& out) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(T(0) < positions[i][3])) {
         out.clear();
         return;
       }
-      out.push_back(to_ndc(v));
+      out.push_back({to_ndc(positions[i]), source[i].attributes});
     }
   }
 

@@ -2,13 +2,14 @@
 //
 // The baseline: Sutherland-Hodgman in clip space the way tutorials write it.
 //
-// Six plane vectors, a dot product per vertex and plane, a dynamic array that is made anew and copied
-// at each plane, no outcodes, edges interpolated in the order in which they are walked.
+// Six plane vectors, dot products for every edge and plane, a dynamic array that is copied at each
+// plane, no outcodes, edges interpolated in the order in which they are walked.
 // Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974, in homogeneous
 // coordinates: Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978.
 // Does not guarantee: equal bits on shared edges (the two neighbours walk them in opposite directions).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "spaces/clipper.hpp"
@@ -36,7 +37,8 @@ struct Textbook {
                   NdcPolygon<T, K>& out) const {
     std::vector<ClipVertex<T, K>> polygon(triangle.begin(), triangle.end());
     for (const Vec4<T>& plane : plane_vectors<T>(depth)) {
-      polygon = clip_against(plane, polygon);
+      const std::vector<ClipVertex<T, K>> input = polygon;
+      clip_against(plane, input, polygon);
     }
     out.clear();
     for (const ClipVertex<T, K>& v : polygon) {
@@ -49,11 +51,11 @@ struct Textbook {
 
  private:
   template <Scalar T>
-  static std::vector<Vec4<T>> plane_vectors(DepthRange depth) {
+  static std::array<Vec4<T>, kPlanes> plane_vectors(DepthRange depth) {
     const T o(0), i(1), m(-1);
-    const bool full_range = depth == DepthRange::minus_one_to_one;
-    return {{i, o, o, i}, {m, o, o, i}, {o, i, o, i}, {o, m, o, i}, {o, o, i, full_range ? i : o},
-            {o, o, m, i}};
+    const T near(depth == DepthRange::minus_one_to_one ? 1 : 0);
+    return {Vec4<T>(i, o, o, i), Vec4<T>(m, o, o, i),    Vec4<T>(o, i, o, i),
+            Vec4<T>(o, m, o, i), Vec4<T>(o, o, i, near), Vec4<T>(o, o, m, i)};
   }
 
   template <Scalar T>
@@ -62,9 +64,9 @@ struct Textbook {
   }
 
   template <Scalar T, int K>
-  static std::vector<ClipVertex<T, K>> clip_against(const Vec4<T>& plane,
-                                                    std::vector<ClipVertex<T, K>> input) {
-    std::vector<ClipVertex<T, K>> output;
+  static void clip_against(const Vec4<T>& plane, const std::vector<ClipVertex<T, K>>& input,
+                           std::vector<ClipVertex<T, K>>& output) {
+    output.clear();
     for (std::size_t i = 0; i < input.size(); ++i) {
       const ClipVertex<T, K>& current = input[i];
       const ClipVertex<T, K>& next = input[(i + 1) % input.size()];
@@ -80,7 +82,6 @@ struct Textbook {
         output.push_back(interpolate(current, next, t));
       }
     }
-    return output;
   }
 };
 

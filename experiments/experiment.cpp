@@ -19,7 +19,7 @@ ExperimentContext::ExperimentContext(Selection selection, std::filesystem::path 
 void ExperimentContext::emit(const Table& table) const {
   table.write(out_);
   if (selection_.json) {
-    fmt::print("{}\n", table.to_json().dump(2));
+    fmt::print("{}\n", table.to_json().dump());
   } else {
     fmt::print("{}\n", table.to_text(kPrintedRows));
     emit_file(out_ / (table.name() + ".{md,csv,tex}"));

@@ -21,7 +21,7 @@ class ExperimentContext {
   // The folder for pictures.
   const std::filesystem::path& out() const { return out_; }
 
-  // Writes the table's files at once and prints it (as JSON if that was asked for).
+  // Writes the table's files at once and prints it (as one line of JSON if that was asked for).
   void emit(const Table& table) const;
   // Says on standard output that a file was written.
   void emit_file(const std::filesystem::path& path) const;

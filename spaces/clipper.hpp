@@ -45,6 +45,15 @@ struct Promise {
   Amplification amplification = Amplification::none;
 };
 
+// Worst-case bounds that promises are made of, in units of u M, to first order in u.
+// Project and divide: 3 for the rounding of a matrix entry, 3 for a product and two sums, 3 for x/w, 1/w
+// and taking their quotient.
+inline constexpr double kProjectUlps = 9;
+// One cut: 6 for t (three roundings of a quotient of distances, along an edge of at most 2 M), 2 for
+// b - a, 2 for its product with t, 1 for the sum, 3 for a view-space distance. New vertices are cut again
+// by later planes: six times at most.
+inline constexpr double kChainUlps = kProjectUlps + 6 * 14;
+
 template <class C, class T, int K>
 concept ClipsViewTriangles = requires(const C clip, const Projection<T>& projection,
                                       const ViewTriangle<T, K>& triangle, NdcPolygon<T, K>& out) {

@@ -6,6 +6,7 @@
 #include "experiments/experiment.hpp"
 #include "experiments/measure/accuracy.hpp"
 #include "experiments/measure/accuracy_table.hpp"
+#include "experiments/measure/machine.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -55,6 +56,7 @@ void run_accuracy(const ExperimentContext& context) {
   add_accuracy_notes(table);
   table.add_note(fmt::format("Seed {}; at most {} triangles per view, evenly spaced.",
                              selection.seed, options.triangles_per_view));
+  table.add_note(machine_description());
   context.emit(table);
   context.emit(worst);
 }

@@ -7,6 +7,7 @@
 
 #include "experiments/experiment.hpp"
 #include "experiments/measure/accuracy.hpp"
+#include "experiments/measure/machine.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -54,6 +55,7 @@ void run_budget(const ExperimentContext& context) {
       "T_frustum: exact frustum numbers. T_matrix: the float projection matrix as given. "
       "Their difference is what rounding the matrix costs; what stays under T_matrix is "
       "transform, cut and divide.");
+  table.add_note(machine_description());
   context.emit(table);
 }
 

@@ -69,7 +69,7 @@ void add_contestant_options(CLI::App& command, Selection& selection) {
 }
 
 void add_json_option(CLI::App& command, Selection& selection) {
-  command.add_flag("--json", selection.json, "Print JSON");
+  command.add_flag("--json", selection.json, "Print JSON (run: one table per line)");
 }
 
 std::vector<std::string> scene_names(const Selection& selection) {

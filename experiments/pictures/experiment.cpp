@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "experiments/experiment.hpp"
+#include "experiments/measure/machine.hpp"
 #include "experiments/pictures/draw_scene.hpp"
 #include "experiments/render/figure.hpp"
 #include "experiments/report/progress.hpp"
@@ -73,6 +74,7 @@ void run_pictures(const ExperimentContext& context) {
   table.add_note(
       "Error: of the texture coordinates, in texels of a 1024-texel texture, where both "
       "pictures show the same side of something. Pictures: <scene>-<clipper>.png and .exr.");
+  table.add_note(machine_description());
   context.emit(table);
 }
 

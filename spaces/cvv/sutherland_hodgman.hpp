@@ -116,7 +116,7 @@ struct CvvSutherlandHodgman {
               : "Blinn, Hyperbolic Interpolation, 1992";
   static constexpr Promise promise{.domain = Promise::Domain::in_front,
                                    .attributes = !kAffine,
-                                   .ulps = 64,
+                                   .ulps = kChainUlps,
                                    .amplification = Promise::Amplification::w_ratio};
 
   template <Scalar T, int K>
@@ -144,7 +144,7 @@ struct CvvNearFirst {
   static constexpr std::string_view source =
       "Blinn, A Trip Down the Graphics Pipeline: Line Clipping, 1991";
   static constexpr Promise promise{.domain = Promise::Domain::divisible,
-                                   .ulps = 64,
+                                   .ulps = kChainUlps,
                                    .amplification = Promise::Amplification::w_ratio};
 
   template <Scalar T, int K>

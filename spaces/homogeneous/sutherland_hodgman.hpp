@@ -26,7 +26,7 @@ struct HomogeneousSutherlandHodgman {
       "Sutherland-Hodgman in clip space; outcodes accept, reject and choose the planes; near first";
   static constexpr std::string_view source =
       "Blinn and Newell, Clipping Using Homogeneous Coordinates, 1978";
-  static constexpr Promise promise{.ulps = 64};
+  static constexpr Promise promise{.ulps = kChainUlps};
 
   template <Scalar T, int K>
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,

@@ -24,7 +24,7 @@ struct Textbook {
       "baseline)";
   static constexpr std::string_view source =
       "Sutherland and Hodgman, Reentrant Polygon Clipping, 1974";
-  static constexpr Promise promise{.ulps = 64};
+  static constexpr Promise promise{.ulps = kChainUlps};
 
   template <Scalar T, int K>
   void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,

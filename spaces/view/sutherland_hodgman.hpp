@@ -25,7 +25,7 @@ struct ViewSutherlandHodgman {
       "divide";
   static constexpr std::string_view source =
       "Sutherland and Hodgman, Reentrant Polygon Clipping, 1974";
-  static constexpr Promise promise{.ulps = 64};
+  static constexpr Promise promise{.ulps = kChainUlps};
 
   template <Scalar T, int K>
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,

@@ -26,8 +26,10 @@ struct WholeTriangle {
            : "no cut: drops a triangle if all vertices are outside one plane (reaches out of the "
              "volume)";
   static constexpr std::string_view source = "practice of early real-time renderers";
-  static constexpr Promise promise{
-      .domain = Promise::Domain::all_or_nothing, .covers = !kAny, .contained = kAny, .ulps = 64};
+  static constexpr Promise promise{.domain = Promise::Domain::all_or_nothing,
+                                   .covers = !kAny,
+                                   .contained = kAny,
+                                   .ulps = kProjectUlps};
 
   template <Scalar T, int K>
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,

@@ -46,9 +46,10 @@ Table scalars_table() {
   Table table("scalars", "Scalars",
               {{"name", "name"}, {"precision_bits", "bits"}, {"summary", "what it is"}});
   for_each_type(AllScalars{}, [&]<class T>() {
-    const int bits = ScalarTraits<T>::precision;
-    table.add_row({std::string(ScalarTraits<T>::name), bits > 0 ? Cell(std::int64_t{bits}) : Cell(),
-                   std::string(ScalarTraits<T>::summary)});
+    Cell bits;
+    if (ScalarTraits<T>::precision > 0) bits = std::int64_t{ScalarTraits<T>::precision};
+    table.add_row(
+        {std::string(ScalarTraits<T>::name), bits, std::string(ScalarTraits<T>::summary)});
   });
   return table;
 }

@@ -6,8 +6,10 @@
 // the call of a batch is indirect, so that timing sees the clipper alone.
 #pragma once
 
-#include <cstdint>
+#include <algorithm>
+#include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -18,29 +20,33 @@
 
 namespace clipscope::experiments {
 
-// Polygons one after the other: polygon i has the vertices [ends[i - 1], ends[i]). Cleared and filled
-// again, it keeps its memory.
+// Polygons one after the other. Cleared and filled again, it keeps its memory and, for exact types, that
+// of its numbers.
 template <Scalar T, int K>
-struct PolygonStream {
-  std::vector<NdcVertex<T, K>> vertices;
-  std::vector<std::uint32_t> ends;
-  bool overflowed = false;  // some polygon lost vertices to the fixed capacity
-
+class PolygonStream {
+ public:
   void clear() {
-    vertices.clear();
-    ends.clear();
-    overflowed = false;
+    used_ = 0;
+    ends_.clear();
   }
   void append(const NdcPolygon<T, K>& polygon) {
-    vertices.insert(vertices.end(), polygon.begin(), polygon.end());
-    ends.push_back(static_cast<std::uint32_t>(vertices.size()));
-    overflowed |= polygon.overflowed();
+    if (vertices_.size() < used_ + kMaxPolygonVertices) {
+      vertices_.resize(2 * vertices_.size() + kMaxPolygonVertices);
+    }
+    std::copy(polygon.begin(), polygon.end(), vertices_.data() + used_);
+    used_ += static_cast<std::size_t>(polygon.size());
+    ends_.push_back(used_);
   }
-  std::size_t size() const { return ends.size(); }
+  std::size_t size() const { return ends_.size(); }
   std::span<const NdcVertex<T, K>> operator[](std::size_t i) const {
-    const std::uint32_t begin = i == 0 ? 0 : ends[i - 1];
-    return {vertices.data() + begin, ends[i] - begin};
+    const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
+    return {vertices_.data() + begin, ends_[i] - begin};
   }
+
+ private:
+  std::vector<NdcVertex<T, K>> vertices_;
+  std::vector<std::size_t> ends_;  // polygon i has the vertices [ends[i - 1], ends[i])
+  std::size_t used_ = 0;
 };
 
 template <Scalar T>

@@ -115,6 +115,18 @@ inline bool is_finite(const dd_real& x) { return std::isfinite(x.x[0]) && std::i
 inline bool is_finite(const Exact&) { return true; }
 inline bool is_finite(const Counted& x) { return std::isfinite(x.value()); }
 
+// Whether every coordinate and attribute is.
+template <class T, int K>
+bool is_finite(const NdcVertex<T, K>& v) {
+  for (int i = 0; i < 4; ++i) {
+    if (!is_finite(v.position[i])) return false;
+  }
+  for (int k = 0; k < v.attributes.size(); ++k) {
+    if (!is_finite(v.attributes[k])) return false;
+  }
+  return true;
+}
+
 // The value as a double: exactly for float, double and counting, else the nearest or next to it.
 inline double nearest_double(float x) { return x; }
 inline double nearest_double(double x) { return x; }

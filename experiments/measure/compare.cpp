@@ -61,19 +61,6 @@ std::vector<const NdcVertex<T, K>*> distinct(std::span<const NdcVertex<T, K>> po
   return vertices;
 }
 
-template <class T, int K>
-bool all_finite(std::span<const NdcVertex<T, K>> polygon) {
-  return std::all_of(polygon.begin(), polygon.end(), [](const NdcVertex<T, K>& v) {
-    for (int i = 0; i < 4; ++i) {
-      if (!is_finite(v.position[i])) return false;
-    }
-    for (int k = 0; k < v.attributes.size(); ++k) {
-      if (!is_finite(v.attributes[k])) return false;
-    }
-    return true;
-  });
-}
-
 using Points = std::vector<std::array<double, 2>>;  // in px
 
 Points screen_points(const TruthPolygon& truth) {
@@ -173,7 +160,7 @@ template <class T, int K>
 Comparison compare(std::span<const NdcVertex<T, K>> polygon, const TruthPolygon& truth) {
   Comparison result;
   result.visible = truth.is_visible() || !polygon.empty();
-  if (!all_finite(polygon)) {
+  if (!std::all_of(polygon.begin(), polygon.end(), is_finite<T, K>)) {
     result.outcome = Outcome::not_finite;
     return result;
   }

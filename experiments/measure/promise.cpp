@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "experiments/measure/distance.hpp"
 #include "experiments/scenes/scene.hpp"
 
 namespace clipscope::experiments {
@@ -33,80 +34,6 @@ N number(const Exact& x) {
     const Exact rest = x - Exact(high);
     return dd_real(high) + dd_real(CGAL::to_double(rest));
   }
-}
-
-// A point of clip space with attributes as further coordinates.
-template <class N>
-using Lifted = std::vector<N>;
-
-template <class N>
-Lifted<N> difference(const Lifted<N>& a, const Lifted<N>& b) {
-  Lifted<N> d(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) d[i] = a[i] - b[i];
-  return d;
-}
-
-template <class N>
-N dot(const Lifted<N>& a, const Lifted<N>& b) {
-  N sum(0);
-  for (std::size_t i = 0; i < a.size(); ++i) sum = sum + N(a[i] * b[i]);
-  return sum;
-}
-
-// Square of the distance from p to a + s ab + t ac.
-template <class N>
-N squared_distance(const Lifted<N>& ap, const Lifted<N>& ab, const Lifted<N>& ac, const N& s,
-                   const N& t) {
-  N sum(0);
-  for (std::size_t i = 0; i < ap.size(); ++i) {
-    const N d = ap[i] - s * ab[i] - t * ac[i];
-    sum = sum + N(d * d);
-  }
-  return sum;
-}
-
-// The parameter in [0, 1] of the point of a segment nearest to p; `along` is its direction.
-template <class N>
-N nearest_on_segment(const Lifted<N>& start_to_p, const Lifted<N>& along) {
-  const N length = dot(along, along);
-  const N projected = dot(start_to_p, along);
-  if (projected <= N(0) || length <= N(0)) return N(0);
-  if (length <= projected) return N(1);
-  return N(projected / length);
-}
-
-// Square of the distance from p to the triangle a b c, which may be degenerate.
-template <class N>
-N squared_distance_to_triangle(const Lifted<N>& p, const Lifted<N>& a, const Lifted<N>& b,
-                               const Lifted<N>& c) {
-  const Lifted<N> ab = difference(b, a), ac = difference(c, a), ap = difference(p, a);
-  const N g11 = dot(ab, ab), g12 = dot(ab, ac), g22 = dot(ac, ac);
-  const N h1 = dot(ap, ab), h2 = dot(ap, ac);
-  const N determinant = g11 * g22 - g12 * g12;
-  const N s = g22 * h1 - g12 * h2;
-  const N t = g11 * h2 - g12 * h1;
-  const N rest = determinant - s - t;
-  if (N(0) < determinant && N(0) <= s && N(0) <= t && N(0) <= rest) {
-    return squared_distance(ap, ab, ac, N(s / determinant), N(t / determinant));
-  }
-  const N on_ab = nearest_on_segment(ap, ab);
-  const N on_ac = nearest_on_segment(ap, ac);
-  const N on_bc = nearest_on_segment(difference(p, b), difference(c, b));
-  const N d_ab = squared_distance(ap, ab, ac, on_ab, N(0));
-  const N d_ac = squared_distance(ap, ab, ac, N(0), on_ac);
-  const N d_bc = squared_distance(ap, ab, ac, N(N(1) - on_bc), on_bc);
-  return std::min({d_ab, d_ac, d_bc});
-}
-
-// Square of the distance from p to the convex polygon, as a fan.
-template <class N>
-N squared_distance_to_polygon(const Lifted<N>& p, const std::vector<Lifted<N>>& polygon) {
-  N best = squared_distance_to_triangle(p, polygon[0], polygon[1], polygon[2]);
-  for (std::size_t i = 3; i < polygon.size(); ++i) {
-    const N d = squared_distance_to_triangle(p, polygon[0], polygon[i - 1], polygon[i]);
-    if (d < best) best = d;
-  }
-  return best;
 }
 
 // Signed distances of a lifted point to the planes of the volume; the smallest.
@@ -167,13 +94,7 @@ Lifted<N> lift_exact(const ExactVertex& v, const Exact& attribute_scale, int att
 template <class T, int K>
 bool is_liftable(std::span<const NdcVertex<T, K>> polygon) {
   return std::all_of(polygon.begin(), polygon.end(), [](const NdcVertex<T, K>& v) {
-    for (int i = 0; i < 4; ++i) {
-      if (!is_finite(v.position[i])) return false;
-    }
-    for (int k = 0; k < v.attributes.size(); ++k) {
-      if (!is_finite(v.attributes[k])) return false;
-    }
-    return !(v.position[3] == T(0));
+    return is_finite(v) && !(v.position[3] == T(0));
   });
 }
 
@@ -253,6 +174,26 @@ void judge_coverage(const reference::Truth& truth, const InputTriangle& triangle
   }
 }
 
+// The triangle's vertices in clip space.
+using RoundedCorners = std::array<std::array<double, 4>, 3>;
+
+struct Corners {
+  std::array<std::array<Exact, 4>, 3> exact;
+  RoundedCorners rounded;
+  bool divisible = true;  // no w is 0
+};
+
+Corners corners_of(const reference::Truth& truth, const InputTriangle& triangle) {
+  Corners corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    corners.exact[i] = truth.clip_position(triangle.vertices[i]);
+    std::transform(corners.exact[i].begin(), corners.exact[i].end(), corners.rounded[i].begin(),
+                   [](const Exact& x) { return CGAL::to_double(x); });
+    corners.divisible = corners.divisible && corners.exact[i][3] != Exact(0);
+  }
+  return corners;
+}
+
 // The range of w over the part of the triangle in front of the near plane.
 struct WRange {
   double smallest = std::numeric_limits<double>::infinity();
@@ -260,9 +201,7 @@ struct WRange {
   bool in_front = true;  // all of the triangle is
 };
 
-using ClipCorners = std::array<std::array<double, 4>, 3>;
-
-WRange w_in_front(DepthRange depth, const ClipCorners& corners) {
+WRange w_in_front(DepthRange depth, const RoundedCorners& corners) {
   const auto near_distance = [&](const std::array<double, 4>& p) {
     if (depth == DepthRange::minus_one_to_one) return p[3] + p[2];
     return depth == DepthRange::zero_to_one ? p[2] : p[3] - p[2];
@@ -297,6 +236,31 @@ bool is_in_domain(Promise::Domain domain, const WRange& w, bool divisible) {
   return true;
 }
 
+template <class T, int K>
+Case<T, K> make_case(const Promise& promise, const InputTriangle& triangle, const Corners& corners,
+                     const WRange& w, double magnitude, std::span<const NdcVertex<T, K>> polygon) {
+  using N = DistanceNumber<T>;
+  Case<T, K> c;
+  c.unit = unit_roundoff<T>() * magnitude;
+  if (promise.amplification == Promise::Amplification::w_ratio && w.largest > 0) {
+    c.unit *= w.largest / w.smallest;
+  }
+  c.tolerance = promise.ulps * c.unit;
+  c.attribute_count = promise.attributes ? triangle.attribute_count : 0;
+  const double attribute = largest_attribute(triangle);
+  c.attribute_scale = attribute > 0 ? Exact(magnitude / attribute) : Exact(0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    Lifted<N>& p = c.input.emplace_back();
+    for (const Exact& x : corners.exact[i]) p.push_back(number<N>(x));
+    for (int k = 0; k < c.attribute_count; ++k) {
+      const Exact a(triangle.vertices[i].attributes[static_cast<std::size_t>(k)]);
+      p.push_back(number<N>(Exact(a * c.attribute_scale)));
+    }
+  }
+  for (const NdcVertex<T, K>& v : polygon) c.polygon.push_back(lift(v, c));
+  return c;
+}
+
 }  // namespace
 
 PromiseChecker::PromiseChecker(const Frustum<double>& frustum)
@@ -324,53 +288,26 @@ double PromiseChecker::coordinate_magnitude(const reference::InputVertex& vertex
 template <class T, int K>
 PromiseCheck PromiseChecker::check(const Promise& promise, const InputTriangle& triangle,
                                    std::span<const NdcVertex<T, K>> polygon) const {
-  using N = DistanceNumber<T>;
-  std::array<std::array<Exact, 4>, 3> corners;
-  ClipCorners rounded;
-  double magnitude = 0;
-  bool divisible = true;
-  for (std::size_t i = 0; i < 3; ++i) {
-    corners[i] = truth_.clip_position(triangle.vertices[i]);
-    std::transform(corners[i].begin(), corners[i].end(), rounded[i].begin(),
-                   [](const Exact& x) { return CGAL::to_double(x); });
-    magnitude = std::max(magnitude, coordinate_magnitude(triangle.vertices[i]));
-    divisible = divisible && corners[i][3] != Exact(0);
-  }
-  const WRange w = w_in_front(depth_, rounded);
-  PromiseCheck check;
-  if (!is_in_domain(promise.domain, w, divisible)) {
-    check.verdict = PromiseVerdict::outside_domain;
-    return check;
+  const Corners corners = corners_of(truth_, triangle);
+  const WRange w = w_in_front(depth_, corners.rounded);
+  if (!is_in_domain(promise.domain, w, corners.divisible)) {
+    return {PromiseVerdict::outside_domain, 0, ""};
   }
   if (!is_liftable(polygon)) {
     return {PromiseVerdict::broken, std::numeric_limits<double>::infinity(),
             "a coordinate of the result is not finite, or 1/w is 0"};
   }
-
-  Case<T, K> c;
-  c.unit = unit_roundoff<T>() * magnitude;
-  if (promise.amplification == Promise::Amplification::w_ratio && w.largest > 0) {
-    c.unit *= w.largest / w.smallest;
+  double magnitude = 0;
+  for (const reference::InputVertex& v : triangle.vertices) {
+    magnitude = std::max(magnitude, coordinate_magnitude(v));
   }
-  c.tolerance = promise.ulps * c.unit;
-  c.attribute_count = promise.attributes ? triangle.attribute_count : 0;
-  const double attribute = largest_attribute(triangle);
-  c.attribute_scale = attribute > 0 ? Exact(magnitude / attribute) : Exact(0);
-  for (std::size_t i = 0; i < 3; ++i) {
-    Lifted<N>& p = c.input.emplace_back();
-    for (const Exact& x : corners[i]) p.push_back(number<N>(x));
-    for (int k = 0; k < c.attribute_count; ++k) {
-      const Exact a(triangle.vertices[i].attributes[static_cast<std::size_t>(k)]);
-      p.push_back(number<N>(Exact(a * c.attribute_scale)));
-    }
-  }
-  for (const NdcVertex<T, K>& v : polygon) c.polygon.push_back(lift(v, c));
-
+  const Case<T, K> c = make_case(promise, triangle, corners, w, magnitude, polygon);
+  PromiseCheck check;
   if (promise.contained) judge_containment(depth_, c, check);
-  if (promise.domain == Promise::Domain::all_or_nothing) {
-    if (!polygon.empty()) judge_whole(c, check);
-  } else {
+  if (promise.domain != Promise::Domain::all_or_nothing) {
     judge_vertices(c, check);
+  } else if (!polygon.empty()) {
+    judge_whole(c, check);
   }
   if (promise.covers) judge_coverage(truth_, triangle, c, check);
   return check;

@@ -24,7 +24,7 @@ MedianInterval median_interval(std::vector<double> samples) {
   const double median = (samples[(count - 1) / 2] + samples[count / 2]) / 2;
   const double spread = 1.96 * std::sqrt(n);
   const double low_rank = std::floor((n - spread) / 2);
-  const double high_rank = std::ceil((n + spread) / 2);
+  const double high_rank = n - 1 - low_rank;
   const auto at = [&](double rank) {
     return samples[static_cast<std::size_t>(std::clamp(rank, 0.0, n - 1))];
   };

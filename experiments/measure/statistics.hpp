@@ -10,8 +10,8 @@
 namespace clipscope::experiments {
 
 // The median of some samples and an interval that covers the population's median with a probability
-// of about 95 %, whatever the distribution: the order statistics of ranks (n -+ 1.96 sqrt(n)) / 2
-// (Hollander and Wolfe, "Nonparametric Statistical Methods", 1999, section 3.6).
+// of about 95 %, whatever the distribution: the order statistics floor((n - 1.96 sqrt(n)) / 2) places from
+// either end (Hollander and Wolfe, "Nonparametric Statistical Methods", 1999, section 3.6).
 struct MedianInterval {
   double median = 0, low = 0, high = 0;
 };

@@ -8,6 +8,7 @@
 // total, and a failure is data.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "spaces/vertex.hpp"
@@ -20,6 +21,16 @@ template <Space S, Scalar T, int K>
 class Polygon {
  public:
   using VertexType = Vertex<S, T, K>;
+
+  constexpr Polygon() = default;
+  // A copy costs what is in the polygon, not what it could hold.
+  constexpr Polygon(const Polygon& other) { *this = other; }
+  constexpr Polygon& operator=(const Polygon& other) {
+    std::copy(other.begin(), other.end(), vertices_.begin());
+    size_ = other.size_;
+    overflowed_ = other.overflowed_;
+    return *this;
+  }
 
   constexpr int size() const { return size_; }
   constexpr bool empty() const { return size_ == 0; }

@@ -15,6 +15,7 @@
 // dropped. A triangle divided by w = 0 yields nothing in scalars that know no infinity.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "spaces/clipper.hpp"
@@ -49,13 +50,12 @@ constexpr NdcVertex<T, K> interpolate_perspective(const NdcVertex<T, K>& inside,
   return r;
 }
 
-// Cuts a polygon that was divided already by the planes given.
+// Cuts a polygon that was divided already by the planes given, in place.
 template <AttributeInterpolation kAttributes, Scalar T, int K>
-constexpr void cut_planes(DepthRange depth, const NdcPolygon<T, K>& polygon, Outcode planes,
-                          NdcPolygon<T, K>& out) {
-  NdcPolygon<T, K> other = polygon;
-  NdcPolygon<T, K>* in = &other;
-  NdcPolygon<T, K>* next = &out;
+constexpr void cut_planes(DepthRange depth, Outcode planes, NdcPolygon<T, K>& polygon) {
+  NdcPolygon<T, K> other;
+  NdcPolygon<T, K>* in = &polygon;
+  NdcPolygon<T, K>* next = &other;
   for (const Plane plane : kAllPlanes) {
     if ((planes & bit(plane)) == 0) {
       continue;
@@ -70,10 +70,10 @@ constexpr void cut_planes(DepthRange depth, const NdcPolygon<T, K>& polygon, Out
     }
     std::swap(in, next);
   }
-  if (in != &out) {
-    out = *in;
+  if (in != &polygon) {
+    polygon = *in;
   }
-  out.drop_if_degenerate();
+  polygon.drop_if_degenerate();
 }
 
 // Divides and cuts. The outcodes are those of the divided vertices.
@@ -97,8 +97,7 @@ constexpr void divide_and_cut(DepthRange depth, const ClipPolygon<T, K>& polygon
   if (all != 0) {
     out.clear();
   } else if (any != 0) {
-    const NdcPolygon<T, K> divided = out;
-    cut_planes<kAttributes>(depth, divided, any, out);
+    cut_planes<kAttributes>(depth, any, out);
   }
 }
 
@@ -157,16 +156,29 @@ struct CvvNearFirst {
   constexpr void operator()(DepthRange depth, const ClipTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
     out.clear();
-    ClipPolygon<T, K> polygon, in_front;
+    ClipPolygon<T, K> polygon;
     polygon.assign(triangle);
-    cut(polygon, in_front,
-        [&](const ClipVertex<T, K>& v) { return clip_distance(depth, Plane::near, v.position); });
-    for (const ClipVertex<T, K>& v : in_front) {
+    cut_near(depth, polygon);
+    for (const ClipVertex<T, K>& v : polygon) {
       if (!(T(0) < v.position[3])) {
         return;
       }
     }
-    cvv::divide_and_cut<AttributeInterpolation::perspective>(depth, in_front, out);
+    cvv::divide_and_cut<AttributeInterpolation::perspective>(depth, polygon, out);
+  }
+
+ private:
+  template <Scalar T, int K>
+  static constexpr void cut_near(DepthRange depth, ClipPolygon<T, K>& polygon) {
+    const auto distance = [&](const ClipVertex<T, K>& v) {
+      return clip_distance(depth, Plane::near, v.position);
+    };
+    const bool inside = std::all_of(polygon.begin(), polygon.end(),
+                                    [&](const auto& v) { return T(0) <= distance(v); });
+    if (!inside) {
+      const ClipPolygon<T, K> whole = polygon;
+      cut(whole, polygon, distance);
+    }
   }
 };
 

@@ -28,6 +28,9 @@ std::string read(const fs::path& path) {
   return text.str();
 }
 
+// For the shell: the tree may lie in a folder with blanks in its name.
+std::string quoted(const std::string& path) { return "'" + path + "'"; }
+
 // A folder for one test case.
 class Folder {
  public:
@@ -43,8 +46,9 @@ class Folder {
 
   Result run(const std::string& arguments, const std::string& input = "") const {
     const fs::path in = file("in", input), out = path_ / "out", err = path_ / "err";
-    const std::string command = std::string(CLIPSCOPE_PROGRAM_PATH) + " " + arguments + " <" +
-                                in.string() + " >" + out.string() + " 2>" + err.string();
+    const std::string command = quoted(CLIPSCOPE_PROGRAM_PATH) + " " + arguments + " <" +
+                                quoted(in.string()) + " >" + quoted(out.string()) + " 2>" +
+                                quoted(err.string());
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
   }

@@ -133,11 +133,6 @@ void explain_ndc(DepthRange depth, const ClipTriangle<T, kRunTime>& triangle) {
       divided, [&](Plane plane, const Vec4<T>& p) { return ndc_distance(depth, plane, p); });
 }
 
-const reference::Fraction& position(const reference::ExactVertex& v, int i) {
-  const std::array<const reference::Fraction*, 4> all = {&v.x, &v.y, &v.z, &v.inv_w};
-  return *all[static_cast<std::size_t>(i)];
-}
-
 // The exact vertex nearest to a vertex of the answer, on the screen.
 template <class T>
 const reference::ExactVertex& nearest_vertex(const TruthPolygon& truth,
@@ -188,7 +183,7 @@ void print_answer(const NdcPolygon<T, kRunTime>& polygon, const TruthPolygon& tr
     fmt::print("    vertex {}\n", v);
     for (int i = 0; i < 4; ++i) {
       print_coordinate(kNames[static_cast<std::size_t>(i)], polygon[v].position[i],
-                       position(exact, i));
+                       coordinate(exact, i));
     }
     for (int k = 0; k < polygon[v].attributes.size(); ++k) {
       print_coordinate(fmt::format("a{}", k), polygon[v].attributes[k],

@@ -13,16 +13,6 @@ namespace {
 using reference::ExactVertex;
 using reference::Fraction;
 
-const Fraction& coordinate(const ExactVertex& v, int i) {
-  switch (i) {
-    case 0: return v.x;
-    case 1: return v.y;
-    case 2: return v.z;
-    case 3: return v.inv_w;
-    default: return v.attributes[static_cast<std::size_t>(i - 4)];
-  }
-}
-
 // value - exact. The difference to the approximation, itself good to 2^-50, is good enough unless most
 // of it cancels.
 template <class T>
@@ -143,6 +133,16 @@ void add_errors(const NdcVertex<T, K>& vertex, const ExactVertex& exact,
 }
 
 }  // namespace
+
+const Fraction& coordinate(const ExactVertex& v, int i) {
+  switch (i) {
+    case 0: return v.x;
+    case 1: return v.y;
+    case 2: return v.z;
+    case 3: return v.inv_w;
+    default: return v.attributes[static_cast<std::size_t>(i - 4)];
+  }
+}
 
 TruthPolygon truth_polygon(const reference::Truth& truth,
                            const reference::InputTriangle& triangle) {

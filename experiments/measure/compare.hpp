@@ -17,6 +17,9 @@
 
 namespace clipscope::experiments {
 
+// Coordinate i of an exact vertex: x, y, z, 1/w, then the attributes.
+const reference::Fraction& coordinate(const reference::ExactVertex& v, int i);
+
 // The exact answer for one triangle, with each coordinate also as the nearest double or next to it:
 // x, y, z, 1/w, then the attributes.
 struct TruthPolygon {

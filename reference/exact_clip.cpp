@@ -4,27 +4,48 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <concepts>
 #include <tuple>
 #include <utility>
+
+#include "reference/convex.hpp"
 
 namespace clipscope::reference {
 namespace {
 
 using HalfSpace = Truth::HalfSpace;
 
-// A value at each of the triangle's vertices; also the barycentric coordinates of a point.
-using Triple = std::array<Dyadic, 3>;
+using Vertices = std::span<const InputVertex>;
 
-template <class Function>
-Triple at_vertices(const InputTriangle& triangle, const Function& function) {
-  const auto& v = triangle.vertices;
-  return {function(v[0]), function(v[1]), function(v[2])};
+// Weights is a value at each vertex of the input; also the weights of a point. Its size is fixed for
+// points, segments and triangles, which need no allocation then.
+template <std::size_t N>
+using Fixed = std::array<Dyadic, N>;
+using Any = std::vector<Dyadic>;
+
+template <class Weights>
+Weights zeros(std::size_t size) {
+  Weights r{};
+  if constexpr (std::same_as<Weights, Any>) {
+    r.resize(size);
+  }
+  return r;
+}
+
+template <class Weights, class Function>
+Weights at_vertices(Vertices vertices, const Function& function) {
+  Weights r = zeros<Weights>(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    r[i] = function(vertices[i]);
+  }
+  return r;
 }
 
 // The value at lambda times the sum of lambda.
-Dyadic interpolate(const Triple& lambda, const Triple& values) {
+template <class Weights>
+Dyadic interpolate(const Weights& lambda, const Weights& values) {
   Dyadic sum = 0;
-  for (int i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < lambda.size(); ++i) {
     if (!lambda[i].is_zero()) {
       sum += lambda[i] * values[i];
     }
@@ -34,32 +55,37 @@ Dyadic interpolate(const Triple& lambda, const Triple& values) {
 
 // The point where the edge from a to b meets the plane. Pre-condition: d_a > 0 > d_b, so that both
 // weights are positive.
-Triple meet(const Triple& a, const Dyadic& d_a, const Triple& b, const Dyadic& d_b) {
-  Triple r;
-  for (int i = 0; i < 3; ++i) {
+template <class Weights>
+Weights meet(const Weights& a, const Dyadic& d_a, const Weights& b, const Dyadic& d_b) {
+  Weights r = zeros<Weights>(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
     r[i] = d_a * b[i] - d_b * a[i];
   }
   return r;
 }
 
-// The part of the polygon with d >= 0, where d is given at the triangle's vertices. A segment's one
-// edge is walked both ways: the vertex that it may yield twice is dropped at the end, as all are that
-// coincide.
-std::vector<Triple> cut(const std::vector<Triple>& polygon, const Triple& d) {
+// The part of the polygon with d >= 0, where d is given at the vertices of the input. Two vertices are
+// a segment: they have one edge.
+template <class Weights>
+std::vector<Weights> cut(const std::vector<Weights>& polygon, const Weights& d) {
   const std::size_t n = polygon.size();
   std::vector<Dyadic> distance;
   distance.reserve(n);
-  for (const Triple& vertex : polygon) {
+  for (const Weights& vertex : polygon) {
     distance.push_back(interpolate(vertex, d));
   }
-  std::vector<Triple> r;
+  std::vector<Weights> r;
   r.reserve(n + 1);
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t next = (i + 1) % n;
-    const int side = distance[i].sign(), next_side = distance[next].sign();
+    const int side = distance[i].sign();
     if (side >= 0) {
       r.push_back(polygon[i]);
     }
+    if (i + 1 == n && n < 3) {
+      break;
+    }
+    const std::size_t next = (i + 1) % n;
+    const int next_side = distance[next].sign();
     if (side > 0 && next_side < 0) {
       r.push_back(meet(polygon[i], distance[i], polygon[next], distance[next]));
     } else if (side < 0 && next_side > 0) {
@@ -75,68 +101,72 @@ struct Sides {
   std::vector<const HalfSpace*> crossed;
 };
 
-Sides sides_of(const Truth& truth, const InputTriangle& triangle) {
+Sides sides_of(const Truth& truth, Vertices vertices) {
   Sides sides;
   for (const HalfSpace& half_space : truth.half_spaces()) {
-    int outside = 0;
-    for (const InputVertex& vertex : triangle.vertices) {
+    std::size_t outside = 0;
+    for (const InputVertex& vertex : vertices) {
       outside += sign(half_space.form, vertex) < 0 ? 1 : 0;
     }
-    if (outside == 3) {
+    if (outside == vertices.size()) {
       return {Verdict::rejected, {}};
     }
     if (outside > 0) {
       sides.crossed.push_back(&half_space);
     }
   }
-  const bool in_front = std::ranges::all_of(
-      triangle.vertices, [&](const InputVertex& v) { return sign(truth.w(), v) > 0; });
+  const bool in_front =
+      std::ranges::all_of(vertices, [&](const InputVertex& v) { return sign(truth.w(), v) > 0; });
   if (!sides.crossed.empty() || !in_front) {
     sides.verdict = Verdict::clipped;
   }
   return sides;
 }
 
-// Projects barycentric points of one triangle to NDC.
+// Projects points of one primitive, given by their weights, to NDC.
+template <class Weights>
 class Projector {
  public:
-  Projector(const Truth& truth, const InputTriangle& triangle) : truth_(truth) {
+  Projector(const Truth& truth, Vertices vertices, int attribute_count) : truth_(truth) {
     for (int i = 0; i < 3; ++i) {
-      position_[i] = at_vertices(
-          triangle, [&](const InputVertex& v) { return truth.projection()[i].value(v); });
+      position_[i] = at_vertices<Weights>(
+          vertices, [&](const InputVertex& v) { return truth.projection()[i].value(v); });
     }
-    w_ = at_vertices(triangle, [&](const InputVertex& v) { return value(truth.w(), v); });
-    attributes_.reserve(triangle.attribute_count);
-    for (int k = 0; k < triangle.attribute_count; ++k) {
-      attributes_.push_back(
-          at_vertices(triangle, [&](const InputVertex& v) { return Dyadic(v.attributes[k]); }));
+    w_ = at_vertices<Weights>(vertices, [&](const InputVertex& v) { return value(truth.w(), v); });
+    attributes_.reserve(attribute_count);
+    for (int k = 0; k < attribute_count; ++k) {
+      attributes_.push_back(at_vertices<Weights>(
+          vertices, [&](const InputVertex& v) { return Dyadic(v.attributes[k]); }));
     }
   }
 
-  bool is_in_front(const Triple& lambda) const { return interpolate(lambda, w_).sign() > 0; }
+  bool is_in_front(const Weights& lambda) const { return interpolate(lambda, w_).sign() > 0; }
 
   // Pre-condition: is_in_front(lambda).
-  ExactVertex operator()(const Triple& lambda) const {
+  ExactVertex operator()(const Weights& lambda) const {
     const Dyadic w = interpolate(lambda, w_);
-    const Dyadic sum = lambda[0] + lambda[1] + lambda[2];
+    Dyadic sum = 0;
+    for (const Dyadic& weight : lambda) {
+      sum += weight;
+    }
     ExactVertex r{
         coordinate(0, lambda, w), coordinate(1, lambda, w), coordinate(2, lambda, w), {sum, w}, {}};
     r.attributes.reserve(attributes_.size());
-    for (const Triple& attribute : attributes_) {
+    for (const Weights& attribute : attributes_) {
       r.attributes.push_back({interpolate(lambda, attribute), sum});
     }
     return r;
   }
 
  private:
-  Fraction coordinate(int i, const Triple& lambda, const Dyadic& w) const {
+  Fraction coordinate(int i, const Weights& lambda, const Dyadic& w) const {
     return {interpolate(lambda, position_[i]), truth_.projection()[i].scale * w};
   }
 
   const Truth& truth_;
-  std::array<Triple, 3> position_;  // clip coordinates times the scales of their rows
-  Triple w_;
-  std::vector<Triple> attributes_;
+  std::array<Weights, 3> position_;  // clip coordinates times the scales of their rows
+  Weights w_;
+  std::vector<Weights> attributes_;
 };
 
 bool coincide(const ExactVertex& a, const ExactVertex& b) {
@@ -145,34 +175,22 @@ bool coincide(const ExactVertex& a, const ExactVertex& b) {
 
 auto members(const RationalVertex& v) { return std::tie(v.x, v.y, v.z, v.inv_w, v.attributes); }
 
-}  // namespace
-
-bool operator==(const RationalVertex& a, const RationalVertex& b) {
-  return members(a) == members(b);
-}
-
-bool operator<(const RationalVertex& a, const RationalVertex& b) { return members(a) < members(b); }
-
-Verdict classify(const Truth& truth, const InputTriangle& triangle) {
-  assert(is_finite(triangle));
-  return sides_of(truth, triangle).verdict;
-}
-
-ExactPolygon clip(const Truth& truth, const InputTriangle& triangle) {
-  assert(is_finite(triangle));
-  const Sides sides = sides_of(truth, triangle);
-  if (sides.verdict == Verdict::rejected) {
-    return {};
+// Pre-condition: sides.verdict is not `rejected`.
+template <class Weights>
+ExactPolygon clip_crossed(const Truth& truth, const Sides& sides, Vertices vertices,
+                          int attribute_count) {
+  std::vector<Weights> polygon(vertices.size(), zeros<Weights>(vertices.size()));
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    polygon[i][i] = 1;
   }
-  std::vector<Triple> polygon = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const HalfSpace* half_space : sides.crossed) {
-    polygon = cut(polygon, at_vertices(triangle, [&](const InputVertex& v) {
+    polygon = cut(polygon, at_vertices<Weights>(vertices, [&](const InputVertex& v) {
                     return value(half_space->form, v);
                   }));
   }
-  const Projector project(truth, triangle);
+  const Projector<Weights> project(truth, vertices, attribute_count);
   ExactPolygon r;
-  for (const Triple& lambda : polygon) {
+  for (const Weights& lambda : polygon) {
     if (!project.is_in_front(lambda)) {
       continue;
     }
@@ -187,6 +205,49 @@ ExactPolygon clip(const Truth& truth, const InputTriangle& triangle) {
     r.verdict = sides.verdict;
   }
   return r;
+}
+
+[[maybe_unused]] bool meets_preconditions(const Truth& truth, Vertices vertices,
+                                          int attribute_count) {
+  return !vertices.empty() && is_finite(vertices, attribute_count) &&
+         truth.volume().clip_distances <= attribute_count &&
+         (vertices.size() <= 3 || is_planar_convex(vertices, attribute_count));
+}
+
+}  // namespace
+
+bool operator==(const RationalVertex& a, const RationalVertex& b) {
+  return members(a) == members(b);
+}
+
+bool operator<(const RationalVertex& a, const RationalVertex& b) { return members(a) < members(b); }
+
+Verdict classify(const Truth& truth, std::span<const InputVertex> vertices,
+                 [[maybe_unused]] int attribute_count) {
+  assert(meets_preconditions(truth, vertices, attribute_count));
+  return sides_of(truth, vertices).verdict;
+}
+
+Verdict classify(const Truth& truth, const InputTriangle& triangle) {
+  return classify(truth, triangle.vertices, triangle.attribute_count);
+}
+
+ExactPolygon clip(const Truth& truth, std::span<const InputVertex> vertices, int attribute_count) {
+  assert(meets_preconditions(truth, vertices, attribute_count));
+  const Sides sides = sides_of(truth, vertices);
+  if (sides.verdict == Verdict::rejected) {
+    return {};
+  }
+  switch (vertices.size()) {
+    case 1: return clip_crossed<Fixed<1>>(truth, sides, vertices, attribute_count);
+    case 2: return clip_crossed<Fixed<2>>(truth, sides, vertices, attribute_count);
+    case 3: return clip_crossed<Fixed<3>>(truth, sides, vertices, attribute_count);
+    default: return clip_crossed<Any>(truth, sides, vertices, attribute_count);
+  }
+}
+
+ExactPolygon clip(const Truth& truth, const InputTriangle& triangle) {
+  return clip(truth, triangle.vertices, triangle.attribute_count);
 }
 
 std::vector<RationalVertex> vertex_set(const ExactPolygon& polygon) {

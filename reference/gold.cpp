@@ -131,11 +131,10 @@ Nef half_cube(const Vector& inside, const Rational& size) {
   return solid(boundary);
 }
 
-// The vertices of the triangle's part within all half-spaces. Pre-condition: the corners are in the
-// interior of the cube [-size, size]^3.
-std::vector<Point> intersect(const Corners& corners, const std::vector<Vector>& half_spaces,
+// The vertices of the set's part within all half-spaces. Pre-condition: the set is in the interior of
+// the cube [-size, size]^3.
+std::vector<Point> intersect(Nef rest, const std::vector<Vector>& half_spaces,
                              const Rational& size) {
-  Nef rest = facet(corners);
   for (const Vector& inside : half_spaces) {
     const Rational reach = size * (abs(inside[0]) + abs(inside[1]) + abs(inside[2]));
     if (reach + inside[3] <= 0 && (reach != 0 || inside[3] < 0)) {
@@ -221,11 +220,14 @@ Matrix projection_matrix(const Projection<float>& p) {
   return m;
 }
 
-// The six forms of the volume in terms of x, y, z and w.
-std::vector<Vector> volume(DepthRange depth, const Vector& x, const Vector& y, const Vector& z,
-                           const Vector& w) {
-  std::vector<Vector> forms = {w + x, w - x, w + y, w - y, w - z};
-  forms.push_back(depth == DepthRange::minus_one_to_one ? w + z : z);
+// The forms of the volume in terms of x, y, z and w, its clip distances apart.
+std::vector<Vector> forms_of(const ClipVolume& volume, const Vector& x, const Vector& y,
+                             const Vector& z, const Vector& w) {
+  std::vector<Vector> forms = {w + x, w - x, w + y, w - y};
+  if (!volume.depth_clamp) {
+    forms.push_back(w - z);
+    forms.push_back(volume.depth == DepthRange::minus_one_to_one ? w + z : z);
+  }
   return forms;
 }
 
@@ -241,13 +243,13 @@ Rational beyond(const InputTriangle& triangle) {
   return Rational(2 * r);
 }
 
-// The corners at z = -near and z = -far.
-std::vector<Point> frustum_corners(const Frustum<double>& f, const Rational& far) {
-  const Rational near = to_rational(f.near);
+// The corners at z = -first and z = -last; at the eye (first = 0) they are one.
+std::vector<Point> frustum_corners(const Frustum<double>& f, const Rational& first,
+                                   const Rational& last) {
   std::vector<Point> r;
-  for (const Rational& distance : {near, far}) {
+  for (const Rational& distance : {first, last}) {
     const bool perspective = f.kind == ProjectionKind::perspective;
-    const Rational scale = perspective ? Rational(distance / near) : Rational(1);
+    const Rational scale = perspective ? Rational(distance / to_rational(f.near)) : Rational(1);
     const Rational shift_x =
         perspective ? Rational(0) : Rational(to_rational(f.shear_x) * distance);
     const Rational shift_y =
@@ -278,6 +280,27 @@ Point barycentric(const Corners& c, const Point& p) {
     }
   }
   throw std::logic_error("gold: barycentric coordinates over a triangle without area");
+}
+
+// The clip distances as half-spaces: forms over (x, y, z, 1) that take the values of the attributes at
+// the corners. They are affine, so their values at 0 and at the unit vectors tell all.
+std::vector<Vector> clip_distance_forms(const ClipVolume& volume, const InputTriangle& triangle,
+                                        const Corners& corners) {
+  std::vector<Vector> forms;
+  for (int k = 0; k < volume.clip_distances; ++k) {
+    const auto form_at = [&](const Point& p) {
+      const Point lambda = barycentric(corners, p);
+      Rational sum = 0;
+      for (int i = 0; i < 3; ++i) {
+        sum += lambda[i] * to_rational(triangle.vertices[i].attributes[k]);
+      }
+      return sum;
+    };
+    const Rational origin = form_at({0, 0, 0});
+    forms.push_back({Rational(form_at({1, 0, 0}) - origin), Rational(form_at({0, 1, 0}) - origin),
+                     Rational(form_at({0, 0, 1}) - origin), origin});
+  }
+  return forms;
 }
 
 // The vertices at the points given, as far as w > 0, sorted.
@@ -345,15 +368,28 @@ Corners view_corners(const InputTriangle& triangle) {
 
 std::vector<RationalVertex> gold_of_frustum(const Frustum<double>& frustum,
                                             const InputTriangle& triangle) {
+  return gold_of_frustum(frustum, {.depth = frustum.depth}, triangle);
+}
+
+std::vector<RationalVertex> gold_of_frustum(const Frustum<double>& frustum,
+                                            const ClipVolume& volume,
+                                            const InputTriangle& triangle) {
   assert(is_finite(triangle));
-  Truth::of_frustum(frustum);  // throws unless the frustum is valid
+  Truth::of_frustum(frustum, volume);  // throws unless both are valid
   const std::array<Vector, 3> clip = clip_positions(projection_matrix(frustum), triangle);
   require_area(clip);
-  const Rational horizon = beyond(triangle) + to_rational(frustum.near);
-  const Rational far = frustum.infinite_far ? horizon : to_rational(frustum.far);
+  const Rational horizon = beyond(triangle) + to_rational(abs(frustum.near));
+  const bool perspective = frustum.kind == ProjectionKind::perspective;
+  Rational first = to_rational(frustum.near);
+  if (volume.depth_clamp) {
+    first = perspective ? Rational(0) : Rational(-horizon);
+  }
+  const bool endless = volume.depth_clamp || frustum.infinite_far;
+  const Rational last = endless ? horizon : to_rational(frustum.far);
   const Corners corners = view_corners(triangle);
-  const Nef part = facet(corners) * convex_hull(frustum_corners(frustum, far));
-  return project(triangle, clip, corners, vertices(part));
+  const Nef part = facet(corners) * convex_hull(frustum_corners(frustum, first, last));
+  return project(triangle, clip, corners,
+                 intersect(part, clip_distance_forms(volume, triangle, corners), beyond(triangle)));
 }
 
 std::vector<RationalVertex> gold_of_matrix(const Projection<float>& projection,
@@ -364,25 +400,32 @@ std::vector<RationalVertex> gold_of_matrix(const Projection<float>& projection,
   const std::array<Vector, 3> clip = clip_positions(m, triangle);
   require_area(clip);
   const Corners corners = view_corners(triangle);
-  const std::vector<Vector> half_spaces = volume(projection.frustum.depth, m[0], m[1], m[2], m[3]);
-  return project(triangle, clip, corners, intersect(corners, half_spaces, beyond(triangle)));
+  std::vector<Vector> half_spaces = forms_of(projection.volume, m[0], m[1], m[2], m[3]);
+  for (const Vector& form : clip_distance_forms(projection.volume, triangle, corners)) {
+    half_spaces.push_back(form);
+  }
+  return project(triangle, clip, corners, intersect(facet(corners), half_spaces, beyond(triangle)));
+}
+
+std::vector<RationalVertex> gold_of_clip(DepthRange depth, const InputTriangle& triangle) {
+  return gold_of_clip(ClipVolume{.depth = depth}, triangle);
 }
 
 // A point of the triangle is (1 - l1 - l2) a + l1 b + l2 c: each form d of clip space becomes the
 // form d(a) + (d(b) - d(a)) l1 + (d(c) - d(a)) l2 over the plane of (l1, l2).
-std::vector<RationalVertex> gold_of_clip(DepthRange depth, const InputTriangle& triangle) {
+std::vector<RationalVertex> gold_of_clip(const ClipVolume& volume, const InputTriangle& triangle) {
   assert(is_finite(triangle));
   const auto& v = triangle.vertices;
   const std::array<Vector, 3> clip = {position(v[0]), position(v[1]), position(v[2])};
   require_area(clip);
   const Vector x = {1, 0, 0, 0}, y = {0, 1, 0, 0}, z = {0, 0, 1, 0}, w = {0, 0, 0, 1};
-  std::vector<Vector> half_spaces;
-  for (const Vector& form : volume(depth, x, y, z, w)) {
+  const Corners simplex = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  std::vector<Vector> half_spaces = clip_distance_forms(volume, triangle, simplex);
+  for (const Vector& form : forms_of(volume, x, y, z, w)) {
     const Rational a = dot(form, clip[0]), b = dot(form, clip[1]), c = dot(form, clip[2]);
     half_spaces.push_back({Rational(b - a), Rational(c - a), 0, a});
   }
-  const Corners simplex = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
-  return project(triangle, clip, simplex, intersect(simplex, half_spaces, 2));
+  return project(triangle, clip, simplex, intersect(facet(simplex), half_spaces, 2));
 }
 
 }  // namespace clipscope::reference

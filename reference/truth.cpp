@@ -6,13 +6,18 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace clipscope::reference {
 namespace {
 
 enum Coordinate { kX, kY, kZ, kW };
 
-double coordinate(const InputVertex& vertex, int i) { return i == kOne ? 1 : vertex.position[i]; }
+double coordinate(const InputVertex& vertex, int i) {
+  if (i < kOne) return vertex.position[i];
+  return i == kOne ? 1 : vertex.attributes[i - kFirstAttribute];
+}
 
 // Higham, "Accuracy and Stability of Numerical Algorithms", 2002, lemma 3.1. The unit roundoff is the
 // one of directed rounding, so that no rounding mode can break the bound.
@@ -33,18 +38,19 @@ LinearForm operator-(const LinearForm& a, LinearForm b) {
   return a + b;
 }
 
-// The six forms of the volume in clip coordinates x, y, z, w.
-std::vector<LinearForm> volume(DepthRange depth, const LinearForm& x, const LinearForm& y,
-                               const LinearForm& z, const LinearForm& w) {
+// The six half-spaces of the volume in clip coordinates x, y, z, w.
+std::vector<Truth::HalfSpace> clip_half_spaces(DepthRange depth, const LinearForm& x,
+                                               const LinearForm& y, const LinearForm& z,
+                                               const LinearForm& w) {
   const LinearForm above_low = depth == DepthRange::minus_one_to_one ? w + z : z;
   const LinearForm below_high = w - z;
   const bool reversed = depth == DepthRange::reversed;
-  return {w + x,
-          w - x,
-          w + y,
-          w - y,
-          reversed ? below_high : above_low,
-          reversed ? above_low : below_high};
+  return {{w + x},
+          {w - x},
+          {w + y},
+          {w - y},
+          {reversed ? below_high : above_low},
+          {reversed ? above_low : below_high}};
 }
 
 void require_valid(const Frustum<double>& f) {
@@ -66,6 +72,13 @@ void require_valid(const Frustum<double>& f) {
           << ": expected finite numbers with left < right, bottom < top, near < far"
           << (perspective ? ", 0 < near" : " and a finite far plane");
   throw std::invalid_argument(message.str());
+}
+
+void require_valid(const ClipVolume& volume) {
+  if (volume.clip_distances < 0 || volume.clip_distances > kMaxClipDistances) {
+    throw std::invalid_argument("clip volume: expected 0 to 8 clip distances, there are " +
+                                std::to_string(volume.clip_distances));
+  }
 }
 
 // Truth::HalfSpace of the frustum, and their factors to the clip-space forms:
@@ -196,13 +209,16 @@ void drop_zero_terms(LinearForm& form) {
 
 }  // namespace
 
-bool is_finite(const InputTriangle& triangle) {
+bool is_finite(std::span<const InputVertex> vertices, int attribute_count) {
   const auto finite = [](double v) { return std::isfinite(v); };
-  return std::ranges::all_of(triangle.vertices, [&](const InputVertex& v) {
+  return std::ranges::all_of(vertices, [&](const InputVertex& v) {
     return std::ranges::all_of(v.position, finite) &&
-           std::all_of(v.attributes.begin(), v.attributes.begin() + triangle.attribute_count,
-                       finite);
+           std::all_of(v.attributes.begin(), v.attributes.begin() + attribute_count, finite);
   });
+}
+
+bool is_finite(const InputTriangle& triangle) {
+  return is_finite(triangle.vertices, triangle.attribute_count);
 }
 
 Dyadic value(const LinearForm& form, const InputVertex& vertex) {
@@ -241,21 +257,41 @@ Dyadic ProjectionForm::value(const InputVertex& vertex) const {
   return sum;
 }
 
+// The six in the order of Plane, an infinite far plane missing.
+void Truth::set_half_spaces(std::vector<HalfSpace> six) {
+  half_spaces_ = std::move(six);
+  if (volume_.depth_clamp) {
+    half_spaces_.resize(4);
+  }
+  for (HalfSpace& half_space : half_spaces_) {
+    drop_zero_terms(half_space.form);
+  }
+  for (int i = 0; i < volume_.clip_distances; ++i) {
+    half_spaces_.push_back({{{1, kFirstAttribute + i}}});
+  }
+}
+
 Truth Truth::of_frustum(const Frustum<double>& frustum) {
+  return of_frustum(frustum, {.depth = frustum.depth});
+}
+
+Truth Truth::of_frustum(const Frustum<double>& frustum, const ClipVolume& volume) {
   require_valid(frustum);
+  require_valid(volume);
+  if (volume.depth != frustum.depth) {
+    throw std::invalid_argument("frustum and clip volume differ in depth range");
+  }
   Truth truth;
   truth.kind_ = TruthKind::frustum;
+  truth.volume_ = volume;
   if (frustum.kind == ProjectionKind::perspective) {
-    truth.half_spaces_ = perspective_volume(frustum);
+    truth.set_half_spaces(perspective_volume(frustum));
     truth.projection_ = perspective_projection(frustum);
     truth.w_ = {{-1, kZ}};
   } else {
-    truth.half_spaces_ = parallel_volume(frustum);
+    truth.set_half_spaces(parallel_volume(frustum));
     truth.projection_ = parallel_projection(frustum);
     truth.w_ = {{1, kOne}};
-  }
-  for (HalfSpace& half_space : truth.half_spaces_) {
-    drop_zero_terms(half_space.form);
   }
   return truth;
 }
@@ -274,12 +310,11 @@ Truth Truth::of_any_matrix(const Projection<T>& projection) {
       }
     }
   }
+  require_valid(projection.volume);
   Truth truth;
   truth.kind_ = TruthKind::matrix;
-  for (LinearForm& form : volume(projection.frustum.depth, x, y, z, w)) {
-    drop_zero_terms(form);
-    truth.half_spaces_.push_back({form});
-  }
+  truth.volume_ = projection.volume;
+  truth.set_half_spaces(clip_half_spaces(projection.volume.depth, x, y, z, w));
   truth.w_ = w;
   truth.projection_ = {projection_form(x), projection_form(y), projection_form(z)};
   return truth;
@@ -288,21 +323,26 @@ Truth Truth::of_any_matrix(const Projection<T>& projection) {
 Truth Truth::of_matrix(const Projection<float>& projection) { return of_any_matrix(projection); }
 Truth Truth::of_matrix(const Projection<double>& projection) { return of_any_matrix(projection); }
 
-Truth Truth::of_clip(DepthRange depth) {
+Truth Truth::of_clip(DepthRange depth) { return of_clip(ClipVolume{.depth = depth}); }
+
+Truth Truth::of_clip(const ClipVolume& volume) {
+  require_valid(volume);
   const LinearForm x = {{1, kX}}, y = {{1, kY}}, z = {{1, kZ}}, w = {{1, kW}};
   Truth truth;
-  for (const LinearForm& form : volume(depth, x, y, z, w)) {
-    truth.half_spaces_.push_back({form});
-  }
+  truth.volume_ = volume;
+  truth.set_half_spaces(clip_half_spaces(volume.depth, x, y, z, w));
   truth.w_ = w;
   truth.projection_ = {projection_form(x), projection_form(y), projection_form(z)};
   return truth;
 }
 
-Truth Truth::inset(double distance) const {
+Truth Truth::inset(double distance, double attribute_distance) const {
   Truth truth = *this;
   for (HalfSpace& half_space : truth.half_spaces_) {
-    half_space.form.push_back({-distance / half_space.clip_scale, kOne});
+    const LinearForm& form = half_space.form;
+    const bool is_clip_distance = !form.empty() && form.front().coordinate >= kFirstAttribute;
+    half_space.form.push_back(
+        {is_clip_distance ? -attribute_distance : -distance / half_space.clip_scale, kOne});
   }
   if (distance < 0) {
     truth.half_spaces_.push_back({w_});

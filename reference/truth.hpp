@@ -17,19 +17,24 @@
 //   bottom  near y + bottom z    top    -near y - top z        far     z + far
 //
 // and of clip space w + x, w - x, w + y, w - y, and by depth range z + w or z, and w - z.
+//
+// Options of the volume (spaces/volume.hpp): with depth clamp near and far are left out. The sides then
+// leave w >= 0 by themselves: (w + x) + (w - x) = 2 w. A clip distance is the form of an attribute.
 #pragma once
 
 #include <array>
 #include <concepts>
+#include <span>
 #include <vector>
 
 #include "reference/fraction.hpp"
 #include "spaces/projection.hpp"
 #include "spaces/vertex.hpp"
+#include "spaces/volume.hpp"
 
 namespace clipscope::reference {
 
-// A triangle as given: float or double bits, all of them exactly doubles.
+// A vertex as given: float or double bits, all of them exactly doubles.
 // position: view space (x, y, z, 1) or clip space (x, y, z, w).
 struct InputVertex {
   std::array<double, 4> position{0, 0, 0, 1};
@@ -42,28 +47,34 @@ struct InputTriangle {
 };
 
 // Whether no coordinate or attribute in use is NaN or infinite: the pre-condition of all that follows.
+bool is_finite(std::span<const InputVertex> vertices, int attribute_count);
 bool is_finite(const InputTriangle& triangle);
 
-// The triangle of a clipper, bit for bit.
+// A vertex of a clipper, bit for bit.
 template <Space S, std::floating_point T, int K>
-requires(S != Space::ndc && sizeof(T) <= sizeof(double)) InputTriangle
-    input_triangle(const Triangle<S, T, K>& triangle) {
-  InputTriangle r;
-  r.attribute_count = triangle[0].attributes.size();
-  for (int i = 0; i < 3; ++i) {
-    for (int c = 0; c < Vertex<S, T, K>::kDimension; ++c) {
-      r.vertices[i].position[c] = triangle[i].position[c];
-    }
-    for (int k = 0; k < r.attribute_count; ++k) {
-      r.vertices[i].attributes[k] = triangle[i].attributes[k];
-    }
+requires(S != Space::ndc && sizeof(T) <= sizeof(double)) InputVertex
+    input_vertex(const Vertex<S, T, K>& vertex) {
+  InputVertex r;
+  for (int c = 0; c < Vertex<S, T, K>::kDimension; ++c) {
+    r.position[c] = vertex.position[c];
+  }
+  for (int k = 0; k < vertex.attributes.size(); ++k) {
+    r.attributes[k] = vertex.attributes[k];
   }
   return r;
 }
 
+// The triangle of a clipper, bit for bit.
+template <Space S, std::floating_point T, int K>
+InputTriangle input_triangle(const Triangle<S, T, K>& triangle) {
+  return {{input_vertex(triangle[0]), input_vertex(triangle[1]), input_vertex(triangle[2])},
+          triangle[0].attributes.size()};
+}
+
 // sum of coefficient * coordinate. Coordinates 0 to 3 are those of InputVertex::position; kOne is the
-// constant 1, in clip space too.
+// constant 1, in clip space too; kFirstAttribute + i is attribute i.
 inline constexpr int kOne = 4;
+inline constexpr int kFirstAttribute = 5;
 
 struct Term {
   double coefficient;
@@ -77,7 +88,7 @@ Dyadic value(const LinearForm& form, const InputVertex& vertex);
 int sign(const LinearForm& form, const InputVertex& vertex);
 
 // One row of the exact projection matrix, times `scale` > 0: where the frustum's numbers ask for a
-// quotient, its divisor is the scale. By coordinate, as in LinearForm.
+// quotient, its divisor is the scale. By coordinate, as in LinearForm; attributes take no part.
 struct ProjectionForm {
   std::array<Dyadic, 5> coefficients;
   Dyadic scale = 1;
@@ -89,28 +100,34 @@ enum class TruthKind { frustum, matrix, clip };
 
 class Truth {
  public:
-  // Throws std::invalid_argument unless the frustum is finite and encloses a volume.
+  // Throws std::invalid_argument unless the frustum is finite and encloses a volume; with a volume
+  // given, if the two differ in depth range.
   static Truth of_frustum(const Frustum<double>& frustum);
-  // All six planes come from the matrix as given, with an infinite far plane too; of the frustum only
-  // the depth range is used. Throws std::invalid_argument if the matrix isn't finite.
+  static Truth of_frustum(const Frustum<double>& frustum, const ClipVolume& volume);
+  // All planes come from the matrix as given, with an infinite far plane too; of the frustum nothing
+  // is used. Throws std::invalid_argument if the matrix isn't finite.
   static Truth of_matrix(const Projection<float>& projection);
   static Truth of_matrix(const Projection<double>& projection);
   static Truth of_clip(DepthRange depth);
+  static Truth of_clip(const ClipVolume& volume);
 
   // The same projection, each plane moved inwards so that d_p >= distance holds, where d_p is the form
-  // w + x and so on of the true clip coordinates (w = -z_view for perspective, 1 for parallel).
+  // w + x and so on of the true clip coordinates (w = -z_view for perspective, 1 for parallel), and
+  // each clip distance so that it is >= attribute_distance.
   // A negative distance moves outwards, but w >= 0 remains a condition then, and vertices with w = 0
   // remain outside. The distance is turned into view-space forms in double: it is a loose bound.
   // The plane of an infinite far stays where it is.
-  Truth inset(double distance) const;
+  Truth inset(double distance, double attribute_distance = 0) const;
 
   TruthKind kind() const { return kind_; }
+  const ClipVolume& volume() const { return volume_; }
 
   // The exact clip coordinates (x, y, z, w) of a vertex.
   std::array<Rational, 4> clip_position(const InputVertex& vertex) const;
 
-  // The half-spaces of the volume in the order of Plane, and w. An infinite far plane is absent from
-  // a frustum's truth; an outward inset appends w >= 0.
+  // The half-spaces of the volume in the order of Plane, then the clip distances; and w. Absent are
+  // near and far with depth clamp, and the infinite far plane of a frustum's truth. An outward inset
+  // appends w >= 0.
   struct HalfSpace {
     LinearForm form;
     double clip_scale = 1;  // form times clip_scale is w + x and so on
@@ -124,8 +141,10 @@ class Truth {
  private:
   template <class T>
   static Truth of_any_matrix(const Projection<T>& projection);
+  void set_half_spaces(std::vector<HalfSpace> six);
 
   TruthKind kind_ = TruthKind::clip;
+  ClipVolume volume_;
   std::vector<HalfSpace> half_spaces_;
   LinearForm w_;
   std::array<ProjectionForm, 3> projection_;

@@ -207,6 +207,35 @@ TEST_CASE("reference: equals gold on clip-space floats, w of any sign") {
   CHECK(compare(truth, gold, kFloats, 200).clipped > 50);
 }
 
+TEST_CASE("reference: equals gold with depth clamp and clip distances in clip space") {
+  const ClipVolume volume = {
+      .depth = any_depth(), .depth_clamp = GENERATE(false, true), .clip_distances = 2};
+  const Truth truth = Truth::of_clip(volume);
+  const auto gold = [&](const InputTriangle& t) { return gold_of_clip(volume, t); };
+  CHECK(compare(truth, gold, kLattice2, 100).clipped > 15);
+  CHECK(compare(truth, gold, kFloats, 100).clipped > 15);
+}
+
+TEST_CASE("reference: equals gold with depth clamp and clip distances in view space") {
+  const auto make_frustum = GENERATE(off_centre, infinite, oblique);
+  const Frustum<double> frustum = make_frustum(DepthRange::zero_to_one);
+  const ClipVolume volume = {
+      .depth = frustum.depth, .depth_clamp = GENERATE(false, true), .clip_distances = 1};
+  const auto gold = [&](const InputTriangle& t) { return gold_of_frustum(frustum, volume, t); };
+  const Truth truth = Truth::of_frustum(frustum, volume);
+  CHECK(compare(truth, gold, in_view(kLattice3), 60).clipped > 15);
+  CHECK(compare(truth, gold, in_view(kFloats), 60).clipped > 10);
+}
+
+TEST_CASE("reference: equals gold with depth clamp and clip distances under a float matrix") {
+  const auto make_frustum = GENERATE(off_centre, oblique);
+  Projection<float> projection(frustum_cast<float>(make_frustum(DepthRange::reversed)));
+  projection.volume.depth_clamp = true;
+  projection.volume.clip_distances = 1;
+  const auto gold = [&](const InputTriangle& t) { return gold_of_matrix(projection, t); };
+  CHECK(compare(Truth::of_matrix(projection), gold, in_view(kLattice3), 60).clipped > 15);
+}
+
 // Vertices hundreds of binary orders of magnitude apart.
 TEST_CASE("reference: equals gold on clip-space doubles of any magnitude") {
   const MakeTriangle make = [](Random& random) {

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/catalogue/hard_case.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace clipscope::experiments {
+
+using reference::Truth;
+using reference::Verdict;
+
+Truth truth_of(const HardCase& hard_case) {
+  if (hard_case.space == Space::view) {
+    return Truth::of_frustum(hard_case.frustum, hard_case.volume);
+  }
+  return Truth::of_clip(hard_case.volume);
+}
+
+reference::ExactPolygon exact_polygon(const HardCase& hard_case) {
+  return reference::clip(truth_of(hard_case), hard_case.vertices, hard_case.attribute_count);
+}
+
+Outcome exact_outcome(const HardCase& hard_case) {
+  const reference::ExactPolygon polygon = exact_polygon(hard_case);
+  return {polygon.verdict, polygon.vertices.size()};
+}
+
+reference::InputTriangle triangle_of(const HardCase& hard_case) {
+  assert(hard_case.primitive == Primitive::triangle && hard_case.vertices.size() == 3);
+  reference::InputTriangle triangle;
+  std::ranges::copy(hard_case.vertices, triangle.vertices.begin());
+  triangle.attribute_count = hard_case.attribute_count;
+  return triangle;
+}
+
+std::string to_string(const Outcome& outcome) {
+  switch (outcome.verdict) {
+    case Verdict::rejected: return "rejected";
+    case Verdict::accepted: return fmt::format("accepted {}", outcome.vertices);
+    case Verdict::clipped: return fmt::format("clipped {}", outcome.vertices);
+  }
+  return {};
+}
+
+std::string to_string(Primitive primitive) {
+  switch (primitive) {
+    case Primitive::point: return "point";
+    case Primitive::segment: return "segment";
+    case Primitive::triangle: return "triangle";
+    case Primitive::polygon: return "polygon";
+  }
+  return {};
+}
+
+}  // namespace clipscope::experiments

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// HardCase: one primitive that clippers are known to get wrong, the volume it is clipped against, and
+// what comes out in exact arithmetic.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "reference/exact_clip.hpp"
+#include "spaces/projection.hpp"
+#include "spaces/vertex.hpp"
+#include "spaces/volume.hpp"
+
+namespace clipscope::experiments {
+
+enum class Primitive { point, segment, triangle, polygon };
+
+// 1, 2 and 3; 0 for polygons, which have any number from 3.
+constexpr std::size_t vertices_of(Primitive primitive) {
+  return primitive == Primitive::polygon ? 0 : static_cast<std::size_t>(primitive) + 1;
+}
+
+struct Outcome {
+  reference::Verdict verdict = reference::Verdict::rejected;
+  std::size_t vertices = 0;  // of the exact polygon
+
+  friend bool operator==(const Outcome&, const Outcome&) = default;
+};
+
+struct HardCase {
+  std::string name;    // "theme/name", unique in a catalogue; the theme is the stem of the file
+  std::string source;  // where it was met
+  std::string why;     // what makes it hard
+  Primitive primitive = Primitive::triangle;
+
+  // Space::view or Space::clip. The frustum is of use in view space only; frustum.depth == volume.depth
+  // in both. All its numbers are floats.
+  Space space = Space::clip;
+  Frustum<double> frustum;
+  ClipVolume volume;
+
+  // Coordinates and attributes are floats. In view space position[3] is 1.
+  // Attributes given in the file come first, the clip distances leading. If they are fewer than
+  // kSceneAttributes they are filled up to that number from the list l0, l1, l2, 1, where l is the
+  // barycentric coordinate (1 at the vertex of that index, else 0); of a polygon from x, y, z, w, since
+  // attributes must be affine over it.
+  std::vector<reference::InputVertex> vertices;
+  int attribute_count = 0;
+
+  Outcome expected;  // what the exact reference says
+
+  // Vertices of the exact result (x, y, z, 1/w) found by hand, in any order; empty if not done.
+  std::vector<std::array<reference::Rational, 4>> by_hand;
+
+  std::string file;      // where the case is written
+  std::size_t line = 0;  // of its first line
+};
+
+// What the case is clipped against, in exact numbers: from the frustum in view space, else of clip space.
+reference::Truth truth_of(const HardCase& hard_case);
+
+reference::ExactPolygon exact_polygon(const HardCase& hard_case);
+
+// Pre-condition: the case's coordinates and attributes are finite.
+Outcome exact_outcome(const HardCase& hard_case);
+
+// The vertices as a triangle. Pre-condition: the case is a triangle.
+reference::InputTriangle triangle_of(const HardCase& hard_case);
+
+// "clipped 5", "accepted 3", "rejected".
+std::string to_string(const Outcome& outcome);
+std::string to_string(Primitive primitive);
+
+}  // namespace clipscope::experiments

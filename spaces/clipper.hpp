@@ -2,11 +2,19 @@
 //
 // The contract that makes clippers interchangeable, and the promise that each one makes.
 //
-// A clipper is a stateless function object: a view-space triangle and a projection in, one convex
-// polygon in the canonical view volume out (0 or 3 to 9 vertices, in the triangle's own winding), each
-// vertex with x y z in NDC, 1/w and its attributes as the true values at that point. A clipper
-// whose method starts at clip coordinates also takes a clip-space triangle. Clippers are total: no
-// throw, no allocation (but `textbook`, whose point it is), no globals.
+// A clipper is a stateless function object: a view-space primitive (a triangle, a segment, a point) and
+// a projection in; one convex polygon in the canonical view volume out (a triangle gives 0 or 3 to 9
+// vertices, more with clip distances, in its own winding; a segment 0 or 2, in its own order; a point
+// 0 or 1), each vertex with x y z in NDC, 1/w and its attributes as the true values at that point. A
+// clipper whose method starts at clip coordinates also takes clip-space primitives and the volume.
+//
+// Clippers are total: no throw, no allocation (but `textbook`, whose point it is), no globals. The
+// policy for NaN and infinity, the same for all of them:
+//   - a primitive with a position coordinate that is NaN or infinite yields nothing;
+//   - attributes are not looked at, clip distances apart: a vertex whose clip distance is NaN is
+//     outside of it;
+//   - from finite positions no NaN comes out: where a result overflows on its way, nothing comes out.
+//     1/w may overflow to infinity.
 #pragma once
 
 #include <concepts>
@@ -17,8 +25,8 @@
 
 namespace clipscope {
 
-// What a clipper promises for finite input, in terms of backward error: the polygon is what exact
-// clipping would give had each clip-space coordinate been moved by at most
+// What a clipper promises for finite input. The error bound is a backward error: the polygon is what
+// exact clipping would give had each clip-space coordinate been moved by at most
 //
 //     ulps * u * M * amplification
 //
@@ -26,9 +34,9 @@ namespace clipscope {
 // clip-space coordinate of the triangle's vertices, and amplification is 1 or, for methods that cut
 // after the divide, w_max / w_min over the triangle (after its near cut where there is one). Exact
 // scalars have u = 0: there the promise is the exact answer.
-// `clipscope verify` checks it on every triangle, and the tests try to break it.
+// `clipscope verify` checks a promise on every triangle, and the tests try to break it.
 struct Promise {
-  // Which finite triangles the promise speaks of.
+  // Which finite triangles the error bound speaks of.
   enum class Domain {
     any,
     divisible,       // w > 0 on the part in front of the near plane: all that view space can give
@@ -43,7 +51,24 @@ struct Promise {
   bool attributes = true;  // attributes share the bound, relative to their own largest magnitude
   double ulps = 0;
   Amplification amplification = Amplification::none;
+
+  // The rest holds to the bit, for every triangle (`total`) or as long as nothing over- or underflows.
+  bool total = true;        // never a NaN or an infinite x, y or z from finite positions
+  bool watertight = false;  // vertices on an edge depend on that edge alone, not on its direction
+  bool rotation_invariant = true;  // the same vertices whichever of the input's vertices is first
+  bool scale_invariant =
+      true;  // the same for homogeneous coordinates (or view-space lengths) times 2^k
+
+  // Options of the volume that the method takes. Where it does not, its answer is "not applicable".
+  bool depth_clamp = true;
+  bool clip_distances = true;
 };
+
+// Whether a clipper that promises this can be asked to clip against the volume.
+constexpr bool is_applicable(const Promise& promise, const ClipVolume& volume) {
+  return (promise.depth_clamp || !volume.depth_clamp) &&
+         (promise.clip_distances || volume.clip_distances == 0);
+}
 
 // Worst-case bounds that promises are made of, in units of u M, to first order in u.
 // Project and divide: 3 for the rounding of a matrix entry, 3 for a product and two sums, 3 for x/w, 1/w
@@ -54,25 +79,28 @@ inline constexpr double kProjectUlps = 9;
 // by later planes: six times at most.
 inline constexpr double kChainUlps = kProjectUlps + 6 * 14;
 
-template <class C, class T, int K>
-concept ClipsViewTriangles = requires(const C clip, const Projection<T>& projection,
-                                      const ViewTriangle<T, K>& triangle, NdcPolygon<T, K>& out) {
-  clip(projection, triangle, out);
+template <class C, class T, int K, std::size_t N = 3>
+concept ClipsViewSpace = requires(const C clip, const Projection<T>& projection,
+                                  const Simplex<Space::view, T, K, N>& primitive,
+                                  NdcPolygon<T, K>& out) {
+  clip(projection, primitive, out);
 };
 
-template <class C, class T, int K>
-concept ClipsClipTriangles = requires(const C clip, DepthRange depth,
-                                      const ClipTriangle<T, K>& triangle, NdcPolygon<T, K>& out) {
-  clip(depth, triangle, out);
+template <class C, class T, int K, std::size_t N = 3>
+concept ClipsClipSpace = requires(const C clip, const ClipVolume& volume,
+                                  const Simplex<Space::clip, T, K, N>& primitive,
+                                  NdcPolygon<T, K>& out) {
+  clip(volume, primitive, out);
 };
 
-template <class C>
+// A clipper of primitives with N vertices.
+template <class C, std::size_t N = 3>
 concept Clipper = std::is_empty_v<C> && std::default_initializable<C> && requires {
   { C::name } -> std::convertible_to<std::string_view>;     // space/method, unique
   { C::summary } -> std::convertible_to<std::string_view>;  // one line
   { C::source } -> std::convertible_to<std::string_view>;   // authors, title, year
   { C::promise } -> std::convertible_to<Promise>;
-} && ClipsViewTriangles<C, float, 4>;
+} && ClipsViewSpace<C, float, 4, N>;
 
 // A list of types, for the lists of clippers and scalars.
 template <class... Ts>

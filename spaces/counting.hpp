@@ -6,9 +6,13 @@
 // operations, machine and compiler aside. The tally belongs to the thread.
 #pragma once
 
+#include <cmath>
 #include <compare>
+#include <concepts>
 #include <cstdint>
 #include <limits>
+
+#include "spaces/products.hpp"
 
 namespace clipscope {
 
@@ -18,6 +22,7 @@ struct OperationCounts {
   std::uint64_t multiplications = 0;
   std::uint64_t divisions = 0;
   std::uint64_t comparisons = 0;
+  std::uint64_t square_roots = 0;
 
   friend constexpr bool operator==(const OperationCounts&, const OperationCounts&) = default;
 };
@@ -53,6 +58,16 @@ class Counting {
   friend Counting operator/(const Counting& a, const Counting& b) {
     ++operation_counts().divisions;
     return Counting(T(a.value_ / b.value_));
+  }
+  friend Counting sqrt(const Counting& a) requires(std::floating_point<T>) {
+    ++operation_counts().square_roots;
+    return Counting(T(std::sqrt(a.value_)));
+  }
+  friend Counting sum_of_products(const Counting& a, const Counting& b, const Counting& c,
+                                  const Counting& d) requires(HasSumOfProducts<T>) {
+    operation_counts().multiplications += 2;
+    ++operation_counts().additions;
+    return Counting(sum_of_products(a.value_, b.value_, c.value_, d.value_));
   }
   Counting& operator+=(const Counting& b) { return *this = *this + b; }
   Counting& operator-=(const Counting& b) { return *this = *this - b; }

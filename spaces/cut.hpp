@@ -2,6 +2,8 @@
 //
 // Sutherland-Hodgman's step: a convex polygon against one plane.
 //
+// A polygon is any list of vertices with size, [], clear and push_back: Polygon of fixed capacity or
+// std::vector; the arithmetic is the same.
 // Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974.
 // Guarantees: the winding is kept; a vertex on the plane (d = 0) is kept and makes no second copy of
 // itself; a new vertex is interpolated from the inside end of its edge towards the outside end, so
@@ -10,30 +12,43 @@
 // sign that exact arithmetic would give them: new vertices are rounded.
 #pragma once
 
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "spaces/plane_segment.hpp"
 #include "spaces/polygon.hpp"
 
 namespace clipscope {
 
+// The vertex type of a polygon.
+template <class P>
+using VertexOf = std::remove_cvref_t<decltype(std::declval<const P&>()[0])>;
+
+// The scalar that a distance comes in.
+template <class P, class Distance>
+using ScalarOf = std::remove_cvref_t<std::invoke_result_t<Distance, const VertexOf<P>&>>;
+
 // Writes to `out` the part of `in` with distance(v) >= 0. `meet(inside, outside, t)` makes the new
 // vertex at t in (0, 1) from the inside end. `in` and `out` must differ.
-template <Space S, Scalar T, int K, class Distance, class Meet>
-constexpr void cut(const Polygon<S, T, K>& in, Polygon<S, T, K>& out, Distance&& distance,
-                   Meet&& meet) {
+template <class P, class Distance, class Meet>
+constexpr void cut(const P& in, P& out, Distance&& distance, Meet&& meet) {
+  using T = ScalarOf<P, Distance>;
   out.clear();
-  const int n = in.size();
+  const auto n = in.size();
   if (n == 0) {
     return;
   }
   const T zero(0);
-  int previous = n - 1;
+  auto previous = n - 1;
   T d_previous = distance(in[previous]);
-  for (int i = 0; i < n; ++i) {
+  for (decltype(in.size()) i = 0; i < n; ++i) {
     const T d = distance(in[i]);
     if (d < zero && zero < d_previous) {
-      const T t = d_previous / (d_previous - d);
+      const T t = cut_parameter(d_previous, d);
       out.push_back(meet(in[previous], in[i], t));
     } else if (d_previous < zero && zero < d) {
-      const T t = d / (d - d_previous);
+      const T t = cut_parameter(d, d_previous);
       out.push_back(meet(in[i], in[previous], t));
     }
     if (zero <= d) {
@@ -45,9 +60,40 @@ constexpr void cut(const Polygon<S, T, K>& in, Polygon<S, T, K>& out, Distance&&
 }
 
 // The same with linear interpolation of position and attributes.
-template <Space S, Scalar T, int K, class Distance>
-constexpr void cut(const Polygon<S, T, K>& in, Polygon<S, T, K>& out, Distance&& distance) {
-  cut(in, out, distance, interpolate<S, T, K>);
+template <class P, class Distance>
+constexpr void cut(const P& in, P& out, Distance&& distance) {
+  using T = ScalarOf<P, Distance>;
+  cut(in, out, distance, [](const VertexOf<P>& inside, const VertexOf<P>& outside, const T& t) {
+    return interpolate(inside, outside, t);
+  });
+}
+
+// Cuts by each plane of the code, in the order of for_each_plane, to and fro between two lists; returns
+// the one that holds the rest. distance(plane, v) is the signed distance.
+template <class P, class Distance, class... Meet>
+constexpr P& cut_by_planes(P& polygon, P& scratch, Outcode planes,
+                           const std::array<Plane, kPlanes>& order, Distance&& distance,
+                           const Meet&... meet) {
+  P* in = &polygon;
+  P* next = &scratch;
+  for_each_plane(planes, order, [&](Plane plane) {
+    cut(
+        *in, *next, [&](const VertexOf<P>& v) { return distance(plane, v); }, meet...);
+    std::swap(in, next);
+  });
+  return *in;
+}
+
+// Cuts the polygon in place, unless all of it is inside.
+template <class P, class Distance>
+constexpr void cut_if_crossed(P& polygon, P& scratch, Distance&& distance) {
+  using T = ScalarOf<P, Distance>;
+  const bool inside = std::all_of(polygon.begin(), polygon.end(),
+                                  [&](const VertexOf<P>& v) { return T(0) <= distance(v); });
+  if (!inside) {
+    scratch = polygon;
+    cut(scratch, polygon, distance);
+  }
 }
 
 }  // namespace clipscope

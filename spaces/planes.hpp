@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The six planes of the view volume as signed-distance forms in every space, and outcodes.
+// The planes of the clip volume as signed-distance forms in every space, and outcodes.
 //
 // A form d is positive inside, negative outside and 0 on the plane, which belongs to the volume.
 // Forms are not normalised: d is the distance times a positive factor of the plane.
@@ -11,6 +11,9 @@
 //   near   -z - near             -z - near            by depth range: z + w, z or w - z
 //   far     z + far              z + far              by depth range: w - z, w - z or z
 //
+// and after these six the clip distances of the volume: plane kPlanes + i is attribute i, in NDC divided
+// by w, which makes it linear there.
+//
 // Clip-space and NDC forms: Blinn and Newell, "Clipping Using Homogeneous Coordinates", 1978.
 // A NaN makes every comparison with it false and hence its vertex an outside one.
 #pragma once
@@ -18,6 +21,7 @@
 #include <array>
 #include <cstdint>
 
+#include "spaces/products.hpp"
 #include "spaces/projection.hpp"
 
 namespace clipscope {
@@ -25,8 +29,30 @@ namespace clipscope {
 enum class Plane : std::uint8_t { left, right, bottom, top, near, far };
 
 inline constexpr int kPlanes = 6;
+inline constexpr int kMaxPlanes = kPlanes + kMaxClipDistances;
 inline constexpr std::array<Plane, kPlanes> kAllPlanes = {Plane::left, Plane::right, Plane::bottom,
                                                           Plane::top,  Plane::near,  Plane::far};
+
+constexpr bool is_clip_distance(Plane plane) { return static_cast<int>(plane) >= kPlanes; }
+constexpr int clip_distance_index(Plane plane) { return static_cast<int>(plane) - kPlanes; }
+
+// Bit p is set where a point is outside plane p.
+using Outcode = std::uint32_t;
+
+constexpr Outcode bit(Plane plane) { return Outcode{1} << static_cast<int>(plane); }
+
+// The planes that clip in this volume.
+constexpr Outcode planes_of(const ClipVolume& volume) {
+  const Outcode all = (Outcode{1} << (kPlanes + volume.clip_distances)) - 1;
+  return volume.depth_clamp ? all & ~(bit(Plane::near) | bit(Plane::far)) : all;
+}
+
+// The value of a user clip plane (a, b, c, d) at a point, for use as a clip distance: inside is
+// a x + b y + c z + d >= 0 in view space.
+template <Scalar T>
+constexpr T user_plane_distance(const Vec4<T>& plane, const Vec3<T>& v) {
+  return plane[0] * v[0] + plane[1] * v[1] + plane[2] * v[2] + plane[3];
+}
 
 // Signed distance form of a plane in view space. With an infinite far plane every point is inside it.
 template <Scalar T>
@@ -51,6 +77,22 @@ constexpr T view_distance(const Frustum<T>& f, Plane plane, const Vec3<T>& v) {
       return v[2] + f.far;
   }
   return T(0);
+}
+
+// The same from products that are exact or nearly so (spaces/products.hpp): the sign is the exact one for
+// the side planes of a perspective frustum, and for all planes where the form is a single difference.
+template <Scalar T>
+constexpr T exact_sign_view_distance(const Frustum<T>& f, Plane plane, const Vec3<T>& v) {
+  if (f.kind == ProjectionKind::perspective) {
+    switch (plane) {
+      case Plane::left: return sum_of_products(f.near, v[0], f.left, v[2]);
+      case Plane::right: return -sum_of_products(f.near, v[0], f.right, v[2]);
+      case Plane::bottom: return sum_of_products(f.near, v[1], f.bottom, v[2]);
+      case Plane::top: return -sum_of_products(f.near, v[1], f.top, v[2]);
+      default: break;
+    }
+  }
+  return view_distance(f, plane, v);
 }
 
 // Signed distance form of a plane in clip space: `one` is w there and 1 in NDC.
@@ -83,10 +125,26 @@ constexpr T ndc_distance(DepthRange depth, Plane plane, const Vec4<T>& v) {
   return volume_distance(depth, plane, v, T(1));
 }
 
-// Bit p is set where the point is outside plane p.
-using Outcode = std::uint32_t;
+// The same for a vertex and any plane of the volume, clip distances included.
+template <Scalar T, int K>
+constexpr T signed_distance(const Frustum<T>& f, Plane plane, const ViewVertex<T, K>& v) {
+  if (is_clip_distance(plane)) return v.attributes[clip_distance_index(plane)];
+  return view_distance(f, plane, v.position);
+}
 
-constexpr Outcode bit(Plane plane) { return Outcode{1} << static_cast<int>(plane); }
+template <Scalar T, int K>
+constexpr T signed_distance(DepthRange depth, Plane plane, const ClipVertex<T, K>& v) {
+  if (is_clip_distance(plane)) return v.attributes[clip_distance_index(plane)];
+  return clip_distance(depth, plane, v.position);
+}
+
+template <Scalar T, int K>
+constexpr T signed_distance(DepthRange depth, Plane plane, const NdcVertex<T, K>& v) {
+  if (is_clip_distance(plane)) {
+    return v.attributes[clip_distance_index(plane)] * v.position[3];
+  }
+  return ndc_distance(depth, plane, v.position);
+}
 
 // Outcode in the volume -one <= x, y <= one with the depth range given: comparisons only, hence exact.
 template <Scalar T>
@@ -127,14 +185,48 @@ constexpr Outcode view_outcode(const Frustum<T>& f, const Vec3<T>& v) {
   return code;
 }
 
-// What the outcodes of a triangle's vertices say at once.
-struct TriangleOutcode {
-  Outcode all;  // planes that every vertex is outside of: any bit set rejects the triangle
+// The bits of the clip distances.
+template <Scalar T, int K>
+constexpr Outcode clip_distance_outcode(const ClipVolume& volume, const Attributes<T, K>& a) {
+  Outcode code = 0;
+  for (int i = 0; i < volume.clip_distances; ++i) {
+    code |= static_cast<Outcode>(!(T(0) <= a[i])) << (kPlanes + i);
+  }
+  return code;
+}
+
+// What the outcodes of a primitive's vertices say at once, about the planes that clip.
+struct OutcodeSummary {
+  Outcode all;  // planes that every vertex is outside of: any bit set rejects the primitive
   Outcode any;  // planes that some vertex is outside of: no bit set accepts it
 };
 
-constexpr TriangleOutcode combine(Outcode a, Outcode b, Outcode c) {
-  return {a & b & c, a | b | c};
+// position_outcode(i) gives the bits of the six planes at vertex i.
+template <Space S, Scalar T, int K, std::size_t N, class PositionOutcode>
+constexpr OutcodeSummary summarize_outcodes(const ClipVolume& volume,
+                                            const Simplex<S, T, K, N>& primitive,
+                                            PositionOutcode&& position_outcode) {
+  OutcodeSummary r{~Outcode{0}, 0};
+  for (std::size_t i = 0; i < N; ++i) {
+    const Outcode code =
+        position_outcode(i) | clip_distance_outcode(volume, primitive[i].attributes);
+    r.all &= code;
+    r.any |= code;
+  }
+  const Outcode planes = planes_of(volume);
+  return {r.all & planes, r.any & planes};
+}
+
+// Calls f(plane) for each plane of the code that is in the order given, then for its clip distances.
+template <std::size_t N, class F>
+constexpr void for_each_plane(Outcode code, const std::array<Plane, N>& order, F&& f) {
+  for (const Plane plane : order) {
+    if ((code & bit(plane)) != 0) f(plane);
+  }
+  for (int p = kPlanes; (code >> p) != 0; ++p) {
+    const auto plane = static_cast<Plane>(p);
+    if ((code & bit(plane)) != 0) f(plane);
+  }
 }
 
 }  // namespace clipscope

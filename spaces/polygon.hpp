@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Polygon: a convex polygon of fixed capacity that lives on the stack; nothing is allocated.
+// Polygon: a convex polygon of fixed capacity that lives on the stack; nothing is allocated. A clipped
+// segment is a polygon of two vertices, a clipped point one of one.
 //
 // A triangle cut by n planes has at most 3 + n vertices. The capacity covers the six planes of the
 // volume, eight user planes and a guard plane for w, with room left for the extra crossings that
@@ -17,15 +18,16 @@ namespace clipscope {
 
 inline constexpr int kMaxPolygonVertices = 24;
 
-template <Space S, Scalar T, int K>
-class Polygon {
+// A list of at most kMaxPolygonVertices vertices of type V.
+template <class V>
+class VertexList {
  public:
-  using VertexType = Vertex<S, T, K>;
+  using VertexType = V;
 
-  constexpr Polygon() = default;
-  // A copy costs what is in the polygon, not what it could hold.
-  constexpr Polygon(const Polygon& other) { *this = other; }
-  constexpr Polygon& operator=(const Polygon& other) {
+  constexpr VertexList() = default;
+  // A copy costs what is in the list, not what it could hold.
+  constexpr VertexList(const VertexList& other) { *this = other; }
+  constexpr VertexList& operator=(const VertexList& other) {
     std::copy(other.begin(), other.end(), vertices_.begin());
     size_ = other.size_;
     overflowed_ = other.overflowed_;
@@ -52,16 +54,17 @@ class Polygon {
       overflowed_ = true;
     }
   }
-  constexpr void assign(const Triangle<S, T, K>& triangle) {
+  template <std::size_t N>
+  constexpr void assign(const std::array<VertexType, N>& primitive) {
     clear();
-    for (const VertexType& v : triangle) {
+    for (const VertexType& v : primitive) {
       push_back(v);
     }
   }
-  // Fewer than three vertices enclose nothing: a polygon that degenerated to a point or a segment
-  // becomes the empty one.
-  constexpr void drop_if_degenerate() {
-    if (size_ < 3) {
+  // Fewer vertices than the primitive needs (three for a polygon) enclose nothing: what degenerated to
+  // a point or a segment becomes the empty list.
+  constexpr void drop_if_degenerate(int needed = 3) {
+    if (size_ < needed) {
       clear();
     }
   }
@@ -71,6 +74,22 @@ class Polygon {
   int size_ = 0;
   bool overflowed_ = false;
 };
+
+template <Space S, Scalar T, int K>
+using Polygon = VertexList<Vertex<S, T, K>>;
+
+// Clippers are total: where a result overflowed on its way to a NaN, nothing is drawn rather than that.
+template <Space S, Scalar T, int K>
+constexpr void clear_if_nan(Polygon<S, T, K>& polygon) {
+  for (const Vertex<S, T, K>& v : polygon) {
+    for (int i = 0; i < Vertex<S, T, K>::kDimension; ++i) {
+      if (is_nan(v.position[i])) {
+        polygon.clear();
+        return;
+      }
+    }
+  }
+}
 
 template <Scalar T, int K>
 using ViewPolygon = Polygon<Space::view, T, K>;

@@ -14,14 +14,9 @@
 #include <cstdint>
 
 #include "spaces/vertex.hpp"
+#include "spaces/volume.hpp"
 
 namespace clipscope {
-
-enum class DepthRange : std::uint8_t {
-  minus_one_to_one,  // OpenGL: near at -1, far at 1
-  zero_to_one,       // Direct3D, Vulkan: near at 0, far at 1
-  reversed           // near at 1, far at 0
-};
 
 enum class ProjectionKind : std::uint8_t { perspective, parallel };
 
@@ -63,21 +58,29 @@ struct ProjectionRow {
   T own = T(0), z = T(0), one = T(0);
 };
 
-// The projection: the frustum, and the rows of its matrix rounded to T once.
+// The projection: the frustum, the clip volume that it maps to, and the rows of its matrix rounded to
+// T once. Options of the volume (depth clamp, clip distances) are set after construction.
 //   x_clip = x.own x + x.z z + x.one     z_clip = z.z z + z.one
 //   y_clip = y.own y + y.z z + y.one     w_clip = w.z z + w.one
 template <Scalar T>
 struct Projection {
   Frustum<T> frustum;
+  ClipVolume volume;
   ProjectionRow<T> x, y, z, w;
+  // The frustum's planes in view space with normals of length 1, in the order of enum Plane: inside is
+  // a x + b y + c z + d >= 0. All zero where T has no square root. An infinite far plane is (0, 0, 0, 1).
+  std::array<Vec4<T>, 6> unit_planes{};
 
   constexpr Projection() = default;
   // Pre-condition: is_valid(frustum).
-  explicit constexpr Projection(const Frustum<T>& f) : frustum(f) {
+  explicit constexpr Projection(const Frustum<T>& f) : frustum(f), volume{.depth = f.depth} {
     if (f.kind == ProjectionKind::perspective) {
       set_perspective();
     } else {
       set_parallel();
+    }
+    if constexpr (HasSquareRoot<T>) {
+      set_unit_planes();
     }
   }
 
@@ -126,6 +129,27 @@ struct Projection {
     }
   }
 
+  constexpr void set_unit_planes() {
+    const Frustum<T>& f = frustum;
+    const T o(0), i(1);
+    const bool perspective = f.kind == ProjectionKind::perspective;
+    // x + (left / near) z for perspective, x + shear_x z - left for parallel projection.
+    const auto side = [&](const T& bound, const T& shear) {
+      const T slope = perspective ? T(bound / f.near) : shear;
+      const T length = sqrt(T(i + slope * slope));
+      const T offset = perspective ? o : T(-bound / length);
+      return std::array<T, 3>{T(i / length), T(slope / length), offset};
+    };
+    const auto left = side(f.left, f.shear_x), right = side(f.right, f.shear_x);
+    const auto bottom = side(f.bottom, f.shear_y), top = side(f.top, f.shear_y);
+    unit_planes = {Vec4<T>(left[0], o, left[1], left[2]),
+                   Vec4<T>(-right[0], o, -right[1], -right[2]),
+                   Vec4<T>(o, bottom[0], bottom[1], bottom[2]),
+                   Vec4<T>(o, -top[0], -top[1], -top[2]),
+                   Vec4<T>(o, o, -i, -f.near),
+                   f.infinite_far ? Vec4<T>(o, o, o, i) : Vec4<T>(o, o, i, f.far)};
+  }
+
   constexpr void set_parallel() {
     const Frustum<T>& f = frustum;
     x.own = T(2) / (f.right - f.left);
@@ -168,9 +192,14 @@ constexpr ClipVertex<T, K> to_clip(const Projection<T>& p, const ViewVertex<T, K
   return {to_clip(p, v.position), v.attributes};
 }
 
-template <Scalar T, int K>
-constexpr ClipTriangle<T, K> to_clip(const Projection<T>& p, const ViewTriangle<T, K>& t) {
-  return {to_clip(p, t[0]), to_clip(p, t[1]), to_clip(p, t[2])};
+template <Scalar T, int K, std::size_t N>
+constexpr std::array<ClipVertex<T, K>, N> to_clip(
+    const Projection<T>& p, const std::array<ViewVertex<T, K>, N>& primitive) {
+  std::array<ClipVertex<T, K>, N> r;
+  for (std::size_t i = 0; i < N; ++i) {
+    r[i] = to_clip(p, primitive[i]);
+  }
+  return r;
 }
 
 // The perspective divide: (x/w, y/w, z/w, 1/w), four divisions, each rounded once. w may be anything

@@ -4,12 +4,13 @@
 //
 // Every clipper is written once, as a template over its scalar. The concept asks for field
 // arithmetic and an order, and nothing else: no square root, no rounding mode, no literals but small
-// integers. float, double, QD's dd_real, CGAL::Exact_rational and Counting<T> all model it.
+// integers and floats. float, double, QD's dd_real, CGAL::Exact_rational and Counting<T> all model it.
 //
 // Exact number types are often expression templates: write `const T t = a * b;`, never `auto`, and
 // never `condition ? a * b : c`.
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <limits>
 
@@ -19,6 +20,7 @@ template <class T>
 concept Scalar = std::regular<T> && requires(const T a, const T b, T& r) {
   T(0);
   T(-1);
+  T(0.5f);
   r = a + b;
   r = a - b;
   r = a * b;
@@ -49,13 +51,32 @@ constexpr T larger(const T& a, const T& b) {
   return a < b ? b : a;
 }
 
-// |a|.
+// Formats with a square root: those of the standard library, and types that bring their own `sqrt`.
+using std::sqrt;
+template <class T>
+concept HasSquareRoot = requires(const T& a) {
+  { sqrt(a) } -> std::convertible_to<T>;
+};
+
+// Whether a is neither NaN nor infinite: always so where T has no infinity.
 template <Scalar T>
-constexpr T magnitude(const T& a) {
-  if (a < T(0)) {
-    return T(-a);
+constexpr bool is_finite(const T& a) {
+  if constexpr (kHasInfinity<T>) {
+    const T zero = a - a;
+    return zero == T(0);
+  } else {
+    return true;
   }
-  return a;
+}
+
+// Whether a is a NaN: never where T has none.
+template <Scalar T>
+constexpr bool is_nan(const T& a) {
+  if constexpr (kHasInfinity<T>) {
+    return !(a == a);
+  } else {
+    return false;
+  }
 }
 
 }  // namespace clipscope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Vertices and triangles, typed by the space they live in.
+// Vertices, points, segments and triangles, typed by the space they live in.
 //
 //   view   (x, y, z)        right-handed, the eye at the origin, looking down -z
 //   clip   (x, y, z, w)     after the projection, before the divide; w = -z_view for perspective
@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <type_traits>
@@ -67,6 +68,15 @@ struct Vertex {
   static constexpr int kDimension = S == Space::view ? 3 : 4;
 };
 
+// Whether no coordinate is NaN or infinite. Attributes are not looked at.
+template <Space S, Scalar T, int K>
+constexpr bool has_finite_position(const Vertex<S, T, K>& v) {
+  for (int i = 0; i < Vertex<S, T, K>::kDimension; ++i) {
+    if (!is_finite(v.position[i])) return false;
+  }
+  return true;
+}
+
 template <Scalar T, int K>
 using ViewVertex = Vertex<Space::view, T, K>;
 template <Scalar T, int K>
@@ -74,9 +84,29 @@ using ClipVertex = Vertex<Space::clip, T, K>;
 template <Scalar T, int K>
 using NdcVertex = Vertex<Space::ndc, T, K>;
 
-template <Space S, Scalar T, int K>
-using Triangle = std::array<Vertex<S, T, K>, 3>;
+// A point, a segment or a triangle: the simplices of 1, 2 and 3 vertices.
+template <Space S, Scalar T, int K, std::size_t N>
+using Simplex = std::array<Vertex<S, T, K>, N>;
 
+template <Scalar T, int K>
+using ViewPoint = Simplex<Space::view, T, K, 1>;
+template <Scalar T, int K>
+using ClipPoint = Simplex<Space::clip, T, K, 1>;
+template <Scalar T, int K>
+using ViewSegment = Simplex<Space::view, T, K, 2>;
+template <Scalar T, int K>
+using ClipSegment = Simplex<Space::clip, T, K, 2>;
+
+template <Space S, Scalar T, int K, std::size_t N>
+constexpr bool has_finite_positions(const Simplex<S, T, K, N>& primitive) {
+  for (const Vertex<S, T, K>& v : primitive) {
+    if (!has_finite_position(v)) return false;
+  }
+  return true;
+}
+
+template <Space S, Scalar T, int K>
+using Triangle = Simplex<S, T, K, 3>;
 template <Scalar T, int K>
 using ViewTriangle = Triangle<Space::view, T, K>;
 template <Scalar T, int K>

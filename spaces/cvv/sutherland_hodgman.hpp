@@ -15,9 +15,6 @@
 // dropped. A triangle divided by w = 0 yields nothing in scalars that know no infinity.
 #pragma once
 
-#include <algorithm>
-#include <utility>
-
 #include "spaces/clipper.hpp"
 #include "spaces/cut.hpp"
 #include "spaces/planes.hpp"
@@ -50,36 +47,36 @@ constexpr NdcVertex<T, K> interpolate_perspective(const NdcVertex<T, K>& inside,
   return r;
 }
 
-// Cuts a polygon that was divided already by the planes given, in place.
+// Cuts a polygon that was divided already by the planes given, in place. For affine attributes the clip
+// distances are affine too.
 template <AttributeInterpolation kAttributes, Scalar T, int K>
 constexpr void cut_planes(DepthRange depth, Outcode planes, NdcPolygon<T, K>& polygon) {
-  NdcPolygon<T, K> other;
-  NdcPolygon<T, K>* in = &polygon;
-  NdcPolygon<T, K>* next = &other;
-  for (const Plane plane : kAllPlanes) {
-    if ((planes & bit(plane)) == 0) {
-      continue;
-    }
-    const auto distance = [&](const NdcVertex<T, K>& v) {
-      return ndc_distance(depth, plane, v.position);
+  NdcPolygon<T, K> scratch;
+  NdcPolygon<T, K>* rest = nullptr;
+  if constexpr (kAttributes == AttributeInterpolation::affine) {
+    const auto distance = [&](Plane plane, const NdcVertex<T, K>& v) {
+      if (is_clip_distance(plane)) return v.attributes[clip_distance_index(plane)];
+      return signed_distance(depth, plane, v);
     };
-    if constexpr (kAttributes == AttributeInterpolation::affine) {
-      cut(*in, *next, distance);
-    } else {
-      cut(*in, *next, distance, interpolate_perspective<T, K>);
-    }
-    std::swap(in, next);
+    rest = &cut_by_planes(polygon, scratch, planes, kAllPlanes, distance);
+  } else {
+    const auto distance = [&](Plane plane, const NdcVertex<T, K>& v) {
+      return signed_distance(depth, plane, v);
+    };
+    rest = &cut_by_planes(polygon, scratch, planes, kAllPlanes, distance,
+                          interpolate_perspective<T, K>);
   }
-  if (in != &polygon) {
-    polygon = *in;
+  if (rest != &polygon) {
+    polygon = *rest;
   }
   polygon.drop_if_degenerate();
+  clear_if_nan(polygon);
 }
 
-// Divides and cuts. The outcodes are those of the divided vertices.
+// Divides and cuts by those of the planes given that some divided vertex is outside of.
 template <AttributeInterpolation kAttributes, Scalar T, int K>
-constexpr void divide_and_cut(DepthRange depth, const ClipPolygon<T, K>& polygon,
-                              NdcPolygon<T, K>& out) {
+constexpr void divide_and_cut(const ClipVolume& volume, Outcode planes,
+                              const ClipPolygon<T, K>& polygon, NdcPolygon<T, K>& out) {
   out.clear();
   Outcode all = ~Outcode{0};
   Outcode any = 0;
@@ -89,15 +86,16 @@ constexpr void divide_and_cut(DepthRange depth, const ClipPolygon<T, K>& polygon
       return;
     }
     const NdcVertex<T, K> ndc = to_ndc(v);
-    const Outcode code = ndc_outcode(depth, ndc.position);
+    const Outcode code =
+        ndc_outcode(volume.depth, ndc.position) | clip_distance_outcode(volume, v.attributes);
     all &= code;
     any |= code;
     out.push_back(ndc);
   }
-  if (all != 0) {
+  if ((all & planes) != 0) {
     out.clear();
-  } else if (any != 0) {
-    cut_planes<kAttributes>(depth, any, out);
+  } else if ((any & planes) != 0) {
+    cut_planes<kAttributes>(volume.depth, any & planes, out);
   }
 }
 
@@ -116,20 +114,24 @@ struct CvvSutherlandHodgman {
   static constexpr Promise promise{.domain = Promise::Domain::in_front,
                                    .attributes = !kAffine,
                                    .ulps = kChainUlps,
-                                   .amplification = Promise::Amplification::w_ratio};
+                                   .amplification = Promise::Amplification::w_ratio,
+                                   .total = false};
 
   template <Scalar T, int K>
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
-    (*this)(projection.frustum.depth, to_clip(projection, triangle), out);
+    (*this)(projection.volume, to_clip(projection, triangle), out);
   }
 
   template <Scalar T, int K>
-  constexpr void operator()(DepthRange depth, const ClipTriangle<T, K>& triangle,
+  constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
+    out.clear();
+    if (!has_finite_positions(triangle)) return;
     ClipPolygon<T, K> polygon;
     polygon.assign(triangle);
-    cvv::divide_and_cut<kAttributes>(depth, polygon, out);
+    cvv::divide_and_cut<kAttributes>(volume, planes_of(volume), polygon, out);
+    clear_if_nan(out);
   }
 };
 
@@ -144,41 +146,33 @@ struct CvvNearFirst {
       "Blinn, A Trip Down the Graphics Pipeline: Line Clipping, 1991";
   static constexpr Promise promise{.domain = Promise::Domain::divisible,
                                    .ulps = kChainUlps,
-                                   .amplification = Promise::Amplification::w_ratio};
+                                   .amplification = Promise::Amplification::w_ratio,
+                                   .depth_clamp = false};
 
   template <Scalar T, int K>
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
-    (*this)(projection.frustum.depth, to_clip(projection, triangle), out);
+    (*this)(projection.volume, to_clip(projection, triangle), out);
   }
 
   template <Scalar T, int K>
-  constexpr void operator()(DepthRange depth, const ClipTriangle<T, K>& triangle,
+  constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
     out.clear();
-    ClipPolygon<T, K> polygon;
+    if (!has_finite_positions(triangle)) return;
+    ClipPolygon<T, K> polygon, other;
     polygon.assign(triangle);
-    cut_near(depth, polygon);
+    cut_if_crossed(polygon, other, [&](const ClipVertex<T, K>& v) {
+      return signed_distance(volume.depth, Plane::near, v);
+    });
     for (const ClipVertex<T, K>& v : polygon) {
       if (!(T(0) < v.position[3])) {
         return;
       }
     }
-    cvv::divide_and_cut<AttributeInterpolation::perspective>(depth, polygon, out);
-  }
-
- private:
-  template <Scalar T, int K>
-  static constexpr void cut_near(DepthRange depth, ClipPolygon<T, K>& polygon) {
-    const auto distance = [&](const ClipVertex<T, K>& v) {
-      return clip_distance(depth, Plane::near, v.position);
-    };
-    const bool inside = std::all_of(polygon.begin(), polygon.end(),
-                                    [&](const auto& v) { return T(0) <= distance(v); });
-    if (!inside) {
-      const ClipPolygon<T, K> whole = polygon;
-      cut(whole, polygon, distance);
-    }
+    cvv::divide_and_cut<AttributeInterpolation::perspective>(volume, planes_of(volume), polygon,
+                                                             out);
+    clear_if_nan(out);
   }
 };
 

@@ -19,6 +19,23 @@ constexpr void divide(const ClipPolygon<T, K>& in, NdcPolygon<T, K>& out) {
     }
   }
   out.drop_if_degenerate();
+  clear_if_nan(out);
+}
+
+// Divides a triangle that is inside all planes into `out`: a vertex has w >= |x| >= 0 then; only
+// (0, 0, 0, 0) has w = 0, and is outside. `source` gives the attributes.
+template <Scalar T, Space S, int K>
+constexpr void divide_inside(const std::array<Vec4<T>, 3>& positions,
+                             const Triangle<S, T, K>& source, NdcPolygon<T, K>& out) {
+  out.clear();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const T& w = positions[i][3];
+    if (!(T(0) < w) || !is_finite(w)) {
+      out.clear();
+      return;
+    }
+    out.push_back({to_ndc(positions[i]), source[i].attributes});
+  }
 }
 
 }  // namespace clipscope

@@ -3,15 +3,20 @@
 // Sutherland-Hodgman in homogeneous clip space, before the divide, driven by outcodes.
 //
 // Outcodes accept what is inside and reject what is outside one plane without computing anything; the
-// rest is cut by just the planes that some vertex is outside of, near plane first. Fixed arrays.
+// rest is cut by just the planes that some vertex is outside of. Two policies: the order of the
+// planes, and an extra plane w >= epsilon in front of the others, as many renderers have it so that
+// nothing is ever divided by zero.
 // Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974; outcodes: Cohen and
 // Sutherland, in Newman and Sproull, "Principles of Interactive Computer Graphics", 1973; homogeneous:
-// Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978.
-// Does not guarantee: coordinates within the volume to the last bit after the divide; the exact
-// vertex count where a vertex comes within rounding of a plane.
+// Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978; a w-plane
+// of 1e-5: practice of software renderers; of 1/16384: Skia (kW0PlaneDistance).
+// Does not guarantee: coordinates within the volume to the last bit after the divide; the exact vertex
+// count where a vertex comes within rounding of a plane; equal bits on a shared edge of neighbours that
+// are cut by different planes. A w-plane with epsilon > 0 loses what is nearer to the eye than that
+// and makes the result depend on the scale of homogeneous coordinates.
 #pragma once
 
-#include <utility>
+#include <limits>
 
 #include "spaces/clipper.hpp"
 #include "spaces/cut.hpp"
@@ -20,84 +25,137 @@
 
 namespace clipscope {
 
-struct HomogeneousSutherlandHodgman {
-  static constexpr std::string_view name = "homogeneous/sutherland_hodgman";
-  static constexpr std::string_view summary =
-      "Sutherland-Hodgman in clip space; outcodes accept, reject and choose the planes; near first";
+// The order in which planes cut. Near first: what is behind the eye goes at once. Near last: sides
+// first, as in OpenGL's order of the planes.
+enum class PlaneOrder { near_first, near_last };
+
+// The extra plane w >= epsilon, cut first. The epsilons are floats, in every scalar.
+enum class WPlane { none, zero, smallest_normal, one_16384th, one_100000th };
+
+template <PlaneOrder kOrder>
+inline constexpr std::array<Plane, kPlanes> kPlaneOrder =
+    kOrder == PlaneOrder::near_first
+        ? std::array{Plane::near, Plane::far, Plane::left, Plane::right, Plane::bottom, Plane::top}
+        : std::array{Plane::left, Plane::right, Plane::bottom, Plane::top, Plane::far, Plane::near};
+
+constexpr float w_plane_epsilon(WPlane plane) {
+  switch (plane) {
+    case WPlane::smallest_normal: return std::numeric_limits<float>::min();
+    case WPlane::one_16384th: return 1.0f / 16384;
+    case WPlane::one_100000th: return 1e-5f;
+    default: return 0;
+  }
+}
+
+template <PlaneOrder kOrder, WPlane kWPlane = WPlane::none>
+struct HomogeneousSutherlandHodgmanWith {
+  static constexpr bool kHasEpsilon = w_plane_epsilon(kWPlane) > 0;
+
+  static constexpr std::string_view name = [] {
+    switch (kWPlane) {
+      case WPlane::none: break;
+      case WPlane::zero: return "homogeneous/w_first_0";
+      case WPlane::smallest_normal: return "homogeneous/w_first_flt_min";
+      case WPlane::one_16384th: return "homogeneous/w_first_1_16384";
+      case WPlane::one_100000th: return "homogeneous/w_first_1e-5";
+    }
+    return kOrder == PlaneOrder::near_first ? "homogeneous/sutherland_hodgman"
+                                            : "homogeneous/near_last";
+  }();
+  static constexpr std::string_view summary = [] {
+    switch (kWPlane) {
+      case WPlane::none: break;
+      case WPlane::zero: return "Sutherland-Hodgman in clip space after a cut by w >= 0";
+      case WPlane::smallest_normal:
+        return "Sutherland-Hodgman in clip space after a cut by w >= FLT_MIN";
+      case WPlane::one_16384th:
+        return "Sutherland-Hodgman in clip space after a cut by w >= 1/16384";
+      case WPlane::one_100000th: return "Sutherland-Hodgman in clip space after a cut by w >= 1e-5";
+    }
+    return kOrder == PlaneOrder::near_first
+               ? "Sutherland-Hodgman in clip space; outcodes accept, reject and choose the planes"
+               : "the same, near plane last";
+  }();
   static constexpr std::string_view source =
       "Blinn and Newell, Clipping Using Homogeneous Coordinates, 1978";
-  static constexpr Promise promise{.ulps = kChainUlps};
+  static constexpr Promise promise{
+      .covers = !kHasEpsilon, .ulps = kChainUlps, .scale_invariant = !kHasEpsilon};
 
   template <Scalar T, int K>
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
-    clip(projection.frustum.depth,
+    clip(projection.volume,
          {to_clip(projection, triangle[0].position), to_clip(projection, triangle[1].position),
           to_clip(projection, triangle[2].position)},
          triangle, out);
   }
 
   template <Scalar T, int K>
-  constexpr void operator()(DepthRange depth, const ClipTriangle<T, K>& triangle,
+  constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
-    clip(depth, {triangle[0].position, triangle[1].position, triangle[2].position}, triangle, out);
+    clip(volume, {triangle[0].position, triangle[1].position, triangle[2].position}, triangle, out);
   }
 
  private:
-  static constexpr std::array<Plane, kPlanes> kOrder = {Plane::near,  Plane::far,    Plane::left,
-                                                        Plane::right, Plane::bottom, Plane::top};
-
   // `source` gives the attributes: they are not copied before they are needed.
   template <Scalar T, Space S, int K>
-  static constexpr void clip(DepthRange depth, const std::array<Vec4<T>, 3>& positions,
+  static constexpr void clip(const ClipVolume& volume, const std::array<Vec4<T>, 3>& positions,
                              const Triangle<S, T, K>& source, NdcPolygon<T, K>& out) {
-    const TriangleOutcode code =
-        combine(clip_outcode(depth, positions[0]), clip_outcode(depth, positions[1]),
-                clip_outcode(depth, positions[2]));
-    out.clear();
+    const OutcodeSummary code = summarize_outcodes(
+        volume, source, [&](std::size_t i) { return clip_outcode(volume.depth, positions[i]); });
     if (code.all != 0) {
-      return;
-    }
-    if (code.any == 0) {
+      out.clear();
+    } else if (code.any == 0 && !is_behind_w_plane(positions)) {
       divide_inside(positions, source, out);
-      return;
+    } else {
+      cut_planes(volume, code.any,
+                 {ClipVertex<T, K>{positions[0], source[0].attributes},
+                  ClipVertex<T, K>{positions[1], source[1].attributes},
+                  ClipVertex<T, K>{positions[2], source[2].attributes}},
+                 out);
     }
-    const ClipTriangle<T, K> triangle = {ClipVertex<T, K>{positions[0], source[0].attributes},
-                                         ClipVertex<T, K>{positions[1], source[1].attributes},
-                                         ClipVertex<T, K>{positions[2], source[2].attributes}};
-    cut_planes(depth, triangle, code.any, out);
   }
 
-  // A vertex inside all planes has w >= |x| >= 0; only (0, 0, 0, 0) has w = 0, and is outside.
-  template <Scalar T, Space S, int K>
-  static constexpr void divide_inside(const std::array<Vec4<T>, 3>& positions,
-                                      const Triangle<S, T, K>& source, NdcPolygon<T, K>& out) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!(T(0) < positions[i][3])) {
-        out.clear();
-        return;
+  template <Scalar T>
+  static constexpr T w_distance(const Vec4<T>& position) {
+    const T epsilon(w_plane_epsilon(kWPlane));
+    return position[3] - epsilon;
+  }
+
+  template <Scalar T>
+  static constexpr bool is_behind_w_plane(const std::array<Vec4<T>, 3>& positions) {
+    if constexpr (kHasEpsilon) {
+      for (const Vec4<T>& p : positions) {
+        if (w_distance(p) < T(0)) return true;
       }
-      out.push_back({to_ndc(positions[i]), source[i].attributes});
     }
+    return false;
   }
 
   template <Scalar T, int K>
-  static constexpr void cut_planes(DepthRange depth, const ClipTriangle<T, K>& triangle,
-                                   Outcode planes, NdcPolygon<T, K>& out) {
-    ClipPolygon<T, K> a, b;
-    ClipPolygon<T, K>* in = &a;
-    ClipPolygon<T, K>* next = &b;
-    in->assign(triangle);
-    for (const Plane plane : kOrder) {
-      if ((planes & bit(plane)) == 0) {
-        continue;
-      }
-      cut(*in, *next,
-          [&](const ClipVertex<T, K>& v) { return clip_distance(depth, plane, v.position); });
-      std::swap(in, next);
+  static constexpr void cut_planes(const ClipVolume& volume, Outcode planes,
+                                   const ClipTriangle<T, K>& triangle, NdcPolygon<T, K>& out) {
+    if (!has_finite_positions(triangle)) {
+      out.clear();
+      return;
     }
-    divide(*in, out);
+    ClipPolygon<T, K> polygon, scratch;
+    polygon.assign(triangle);
+    if constexpr (kWPlane != WPlane::none) {
+      cut_if_crossed(polygon, scratch,
+                     [](const ClipVertex<T, K>& v) { return w_distance(v.position); });
+    }
+    divide(cut_by_planes(polygon, scratch, planes, kPlaneOrder<kOrder>,
+                         [&](Plane plane, const ClipVertex<T, K>& v) {
+                           return signed_distance(volume.depth, plane, v);
+                         }),
+           out);
   }
 };
+
+using HomogeneousSutherlandHodgman = HomogeneousSutherlandHodgmanWith<PlaneOrder::near_first>;
+using HomogeneousNearLast = HomogeneousSutherlandHodgmanWith<PlaneOrder::near_last>;
+template <WPlane kWPlane>
+using HomogeneousWFirst = HomogeneousSutherlandHodgmanWith<PlaneOrder::near_first, kWPlane>;
 
 }  // namespace clipscope

@@ -24,29 +24,40 @@ struct Textbook {
       "baseline)";
   static constexpr std::string_view source =
       "Sutherland and Hodgman, Reentrant Polygon Clipping, 1974";
+  // A clip distance is a seventh plane and so on; it has no plane vector.
   static constexpr Promise promise{.ulps = kChainUlps};
 
   template <Scalar T, int K>
   void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
                   NdcPolygon<T, K>& out) const {
-    (*this)(projection.frustum.depth, to_clip(projection, triangle), out);
+    (*this)(projection.volume, to_clip(projection, triangle), out);
   }
 
   template <Scalar T, int K>
-  void operator()(DepthRange depth, const ClipTriangle<T, K>& triangle,
+  void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
                   NdcPolygon<T, K>& out) const {
-    std::vector<ClipVertex<T, K>> polygon(triangle.begin(), triangle.end());
-    for (const Vec4<T>& plane : plane_vectors<T>(depth)) {
-      const std::vector<ClipVertex<T, K>> input = polygon;
-      clip_against(plane, input, polygon);
-    }
     out.clear();
+    if (!has_finite_positions(triangle)) return;
+    std::vector<ClipVertex<T, K>> polygon(triangle.begin(), triangle.end());
+    const std::array<Vec4<T>, kPlanes> planes = plane_vectors<T>(volume.depth);
+    for_each_plane(planes_of(volume), kAllPlanes, [&](Plane plane) {
+      const std::vector<ClipVertex<T, K>> input = polygon;
+      if (is_clip_distance(plane)) {
+        const int i = clip_distance_index(plane);
+        clip_against([i](const ClipVertex<T, K>& v) { return v.attributes[i]; }, input, polygon);
+      } else {
+        const Vec4<T>& n = planes[static_cast<std::size_t>(plane)];
+        clip_against([&n](const ClipVertex<T, K>& v) { return dot(n, v.position); }, input,
+                     polygon);
+      }
+    });
     for (const ClipVertex<T, K>& v : polygon) {
       if (T(0) < v.position[3]) {
         out.push_back(to_ndc(v));
       }
     }
     out.drop_if_degenerate();
+    clear_if_nan(out);
   }
 
  private:
@@ -63,15 +74,15 @@ struct Textbook {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   }
 
-  template <Scalar T, int K>
-  static void clip_against(const Vec4<T>& plane, const std::vector<ClipVertex<T, K>>& input,
+  template <class Distance, Scalar T, int K>
+  static void clip_against(Distance&& distance, const std::vector<ClipVertex<T, K>>& input,
                            std::vector<ClipVertex<T, K>>& output) {
     output.clear();
     for (std::size_t i = 0; i < input.size(); ++i) {
       const ClipVertex<T, K>& current = input[i];
       const ClipVertex<T, K>& next = input[(i + 1) % input.size()];
-      const T d_current = dot(plane, current.position);
-      const T d_next = dot(plane, next.position);
+      const T d_current = distance(current);
+      const T d_next = distance(next);
       const bool current_inside = T(0) <= d_current;
       const bool next_inside = T(0) <= d_next;
       if (current_inside) {

@@ -2,77 +2,121 @@
 //
 // Sutherland-Hodgman in view space, before the projection, against the six frustum planes.
 //
-// The planes are the unnormalised forms n x + l z and their kin, which need no square root, so that
-// every scalar can compute them. Outcodes accept, reject and choose the planes. What is left is
-// projected and divided.
+// Outcodes accept, reject and choose the planes. What is left is projected and divided. The policy is
+// how a distance to a plane is computed:
+//
+//   view/sutherland_hodgman  the unnormalised forms n x + l z and their kin: two products, no square
+//                            root, so that every scalar can compute them
+//   view/exact_sign          the same forms from exact products, so that the input's vertices are always
+//                            on the right side of the side planes of a perspective frustum
+//   view/unit_normals        planes with normals of length 1, the way textbooks have them; for scalars
+//                            with a square root
+//
 // Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974.
 // Does not guarantee: NDC coordinates within [-1, 1]: a new vertex lies on its plane in view space up
-// to rounding, and is rounded again by the projection and the divide.
+// to rounding, and is rounded again by the projection and the divide. The unit normals are rounded, and
+// then the planes of the volume are not quite those of the projection.
 #pragma once
-
-#include <utility>
 
 #include "spaces/clipper.hpp"
 #include "spaces/cut.hpp"
 #include "spaces/planes.hpp"
+#include "spaces/products.hpp"
 
 namespace clipscope {
 
-struct ViewSutherlandHodgman {
-  static constexpr std::string_view name = "view/sutherland_hodgman";
+enum class PlaneForm { unnormalised, exact_sign, unit_normals };
+
+template <PlaneForm kForm>
+struct ViewSutherlandHodgmanWith {
+  static constexpr std::string_view name = kForm == PlaneForm::unnormalised
+                                               ? "view/sutherland_hodgman"
+                                           : kForm == PlaneForm::exact_sign ? "view/exact_sign"
+                                                                            : "view/unit_normals";
   static constexpr std::string_view summary =
-      "Sutherland-Hodgman in view space against unnormalised frustum planes, then project and "
-      "divide";
+      kForm == PlaneForm::unnormalised
+          ? "Sutherland-Hodgman in view space against unnormalised planes, then project and divide"
+      : kForm == PlaneForm::exact_sign
+          ? "the same with plane distances from exact products, hence of the right sign"
+          : "the same against planes with unit normals";
   static constexpr std::string_view source =
       "Sutherland and Hodgman, Reentrant Polygon Clipping, 1974";
-  static constexpr Promise promise{.ulps = kChainUlps};
+  // A unit normal has three roundings more than the form without.
+  static constexpr Promise promise{
+      .ulps = kForm == PlaneForm::unit_normals ? kChainUlps + kPlanes * 4 : kChainUlps};
 
   template <Scalar T, int K>
-  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
-    const Frustum<T>& frustum = projection.frustum;
-    const TriangleOutcode code = combine(view_outcode(frustum, triangle[0].position),
-                                         view_outcode(frustum, triangle[1].position),
-                                         view_outcode(frustum, triangle[2].position));
+  requires(kForm != PlaneForm::unit_normals || HasSquareRoot<T>) &&
+      (kForm != PlaneForm::exact_sign || HasSumOfProducts<T>)  //
+      constexpr void
+      operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
+                 NdcPolygon<T, K>& out) const {
+    const OutcodeSummary code = summarize_outcodes(projection.volume, triangle, [&](std::size_t i) {
+      return position_outcode(projection, triangle[i].position);
+    });
     out.clear();
     if (code.all != 0) {
       return;
     }
     if (code.any == 0) {
-      for (const ViewVertex<T, K>& v : triangle) {
-        out.push_back(to_ndc(to_clip(projection, v)));
-      }
-      return;
+      project(projection, triangle, out);
+    } else if (has_finite_positions(triangle)) {
+      cut_planes(projection, triangle, code.any, out);
     }
-    cut_planes(projection, triangle, code.any, out);
   }
 
  private:
+  template <Scalar T>
+  static constexpr T distance(const Projection<T>& projection, Plane plane, const Vec3<T>& v) {
+    if constexpr (kForm == PlaneForm::exact_sign) {
+      return exact_sign_view_distance(projection.frustum, plane, v);
+    } else if constexpr (kForm == PlaneForm::unit_normals) {
+      return user_plane_distance(projection.unit_planes[static_cast<std::size_t>(plane)], v);
+    } else {
+      return view_distance(projection.frustum, plane, v);
+    }
+  }
+
+  template <Scalar T>
+  static constexpr Outcode position_outcode(const Projection<T>& projection, const Vec3<T>& v) {
+    Outcode code = 0;
+    for (const Plane plane : kAllPlanes) {
+      if (!(T(0) <= distance(projection, plane, v))) {
+        code |= bit(plane);
+      }
+    }
+    return code;
+  }
+
   template <Scalar T, int K>
   static constexpr void cut_planes(const Projection<T>& projection,
                                    const ViewTriangle<T, K>& triangle, Outcode planes,
                                    NdcPolygon<T, K>& out) {
-    ViewPolygon<T, K> a, b;
-    ViewPolygon<T, K>* in = &a;
-    ViewPolygon<T, K>* next = &b;
-    in->assign(triangle);
-    for (const Plane plane : kAllPlanes) {
-      if ((planes & bit(plane)) == 0) {
-        continue;
-      }
-      cut(*in, *next, [&](const ViewVertex<T, K>& v) {
-        return view_distance(projection.frustum, plane, v.position);
-      });
-      std::swap(in, next);
-    }
-    for (const ViewVertex<T, K>& v : *in) {
+    ViewPolygon<T, K> polygon, scratch;
+    polygon.assign(triangle);
+    const auto plane_distance = [&](Plane plane, const ViewVertex<T, K>& v) {
+      if (is_clip_distance(plane)) return v.attributes[clip_distance_index(plane)];
+      return distance(projection, plane, v.position);
+    };
+    project(projection, cut_by_planes(polygon, scratch, planes, kAllPlanes, plane_distance), out);
+  }
+
+  template <Scalar T, int K, class Vertices>
+  static constexpr void project(const Projection<T>& projection, const Vertices& vertices,
+                                NdcPolygon<T, K>& out) {
+    for (const ViewVertex<T, K>& v : vertices) {
       const ClipVertex<T, K> clip = to_clip(projection, v);
-      if (T(0) < clip.position[3]) {
+      if (T(0) < clip.position[3] && is_finite(clip.position[3])) {
         out.push_back(to_ndc(clip));
       }
     }
     out.drop_if_degenerate();
+    clear_if_nan(out);
   }
 };
+
+using ViewSutherlandHodgman = ViewSutherlandHodgmanWith<PlaneForm::unnormalised>;
+using ViewExactSign = ViewSutherlandHodgmanWith<PlaneForm::exact_sign>;
+using ViewUnitNormals = ViewSutherlandHodgmanWith<PlaneForm::unit_normals>;
 
 }  // namespace clipscope

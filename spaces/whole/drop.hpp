@@ -29,22 +29,24 @@ struct WholeTriangle {
   static constexpr Promise promise{.domain = Promise::Domain::all_or_nothing,
                                    .covers = !kAny,
                                    .contained = kAny,
-                                   .ulps = kProjectUlps};
+                                   .ulps = kProjectUlps,
+                                   .total = kAny,
+                                   .watertight = !kAny};
 
   template <Scalar T, int K>
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
-    (*this)(projection.frustum.depth, to_clip(projection, triangle), out);
+    (*this)(projection.volume, to_clip(projection, triangle), out);
   }
 
   template <Scalar T, int K>
-  constexpr void operator()(DepthRange depth, const ClipTriangle<T, K>& triangle,
+  constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
-    const TriangleOutcode code = combine(clip_outcode(depth, triangle[0].position),
-                                         clip_outcode(depth, triangle[1].position),
-                                         clip_outcode(depth, triangle[2].position));
+    const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
+      return clip_outcode(volume.depth, triangle[i].position);
+    });
     out.clear();
-    if ((kAny ? code.any : code.all) != 0) {
+    if ((kAny ? code.any : code.all) != 0 || !has_finite_positions(triangle)) {
       return;
     }
     for (const ClipVertex<T, K>& v : triangle) {
@@ -54,6 +56,7 @@ struct WholeTriangle {
       }
       out.push_back(to_ndc(v));
     }
+    clear_if_nan(out);
   }
 };
 

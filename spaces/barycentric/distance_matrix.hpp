@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+//
+// The distance-matrix clipper: a triangle's part inside as a polygon of barycentric coordinates.
+//
+// D[p] holds the signed distances of the three vertices to plane p. The part inside is the set of
+// lambda >= 0 with lambda . D[p] >= 0 for each p: a polygon bounded by lines, the three edges and the
+// rows of D. A new vertex is the meeting of two lines, lambda = l1 x l2, and its side of a third line is
+// their determinant, so that nothing is decided from a rounded position, and every vertex comes from
+// the three original ones:
+//
+//   ndc = sum lambda_i pos_i / sum lambda_i w_i      attribute = sum lambda_i a_i / sum lambda_i
+//
+// A coordinate that lies on its plane is set to exactly -1, 0 or 1.
+// Source: homogeneous lines and their meetings: Blinn, "A Trip Down the Graphics Pipeline", 1996; the
+// triangle as a 2D homogeneous problem: Olano and Greer, "Triangle Scan Conversion using 2D Homogeneous
+// Coordinates", Graphics Hardware 1997.
+// Guarantees: the entries of a meeting have a small relative error (spaces/products.hpp), without which
+// the meeting of two nearly parallel lines would lie anywhere. The vertices on an edge depend on that
+// edge alone, bit for bit.
+// Does not guarantee: determinants of the right sign (they are rounded), hence the exact vertex count;
+// the bits of a vertex on two planes when the input is rotated (a sum of three is rounded in order).
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <utility>
+
+#include "spaces/clipper.hpp"
+#include "spaces/homogeneous/divide.hpp"
+#include "spaces/planes.hpp"
+#include "spaces/products.hpp"
+
+namespace clipscope {
+
+struct DistanceMatrix {
+  static constexpr std::string_view name = "barycentric/distance_matrix";
+  static constexpr std::string_view summary =
+      "every vertex from the three original ones, every decision a minor of the distance matrix";
+  static constexpr std::string_view source = "Olano and Greer, 2D Homogeneous Coordinates, 1997";
+  // Each of two distances 2, a meeting 3, the sums of three products over lambda and w 3 each, the
+  // quotient 1: in front of that the transform.
+  static constexpr Promise promise{
+      .ulps = kProjectUlps + 14, .watertight = true, .rotation_invariant = false};
+
+  template <HasSumOfProducts T, int K>
+  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
+                            NdcPolygon<T, K>& out) const {
+    clip(projection.volume,
+         {to_clip(projection, triangle[0].position), to_clip(projection, triangle[1].position),
+          to_clip(projection, triangle[2].position)},
+         triangle, out);
+  }
+
+  template <HasSumOfProducts T, int K>
+  constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
+                            NdcPolygon<T, K>& out) const {
+    clip(volume, {triangle[0].position, triangle[1].position, triangle[2].position}, triangle, out);
+  }
+
+ private:
+  static constexpr Outcode kNoPlane = 0;
+
+  // A line in barycentric coordinates, inside where line . lambda >= 0, and the plane that it comes
+  // from (no bit: an edge of the triangle).
+  template <Scalar T>
+  struct Line {
+    std::array<T, 3> of;
+    Outcode plane = kNoPlane;
+  };
+
+  // A vertex, the planes that it lies on by construction, and the line from it to the next vertex.
+  template <Scalar T>
+  struct Corner {
+    std::array<T, 3> lambda;
+    Outcode on = kNoPlane;
+    Line<T> next;
+  };
+
+  template <Scalar T>
+  using Corners = VertexList<Corner<T>>;
+
+  template <Scalar T, Space S, int K>
+  static constexpr void clip(const ClipVolume& volume, const std::array<Vec4<T>, 3>& positions,
+                             const Triangle<S, T, K>& source, NdcPolygon<T, K>& out) {
+    const OutcodeSummary code = summarize_outcodes(
+        volume, source, [&](std::size_t i) { return clip_outcode(volume.depth, positions[i]); });
+    out.clear();
+    if (code.all != 0) return;
+    if (code.any == 0) {
+      divide_inside(positions, source, out);
+      return;
+    }
+    for (const Vec4<T>& p : positions) {
+      for (int c = 0; c < 4; ++c) {
+        if (!is_finite(p[c])) return;
+      }
+    }
+    Corners<T> corners = whole_triangle<T>(), other;
+    for_each_plane(code.any, kAllPlanes, [&](Plane plane) {
+      cut_corners(corners, row(volume.depth, plane, positions, source), other);
+      std::swap(corners, other);
+    });
+    for (const Corner<T>& corner : corners) {
+      append_vertex(volume.depth, corner, positions, source, out);
+    }
+    out.drop_if_degenerate();
+    clear_if_nan(out);
+  }
+
+  template <Scalar T>
+  static constexpr Corners<T> whole_triangle() {
+    const T o(0), i(1);
+    Corners<T> r;  // vertex 0, then the edge 0-1, where lambda_2 = 0, and so on
+    r.push_back({{i, o, o}, kNoPlane, {{o, o, i}}});
+    r.push_back({{o, i, o}, kNoPlane, {{i, o, o}}});
+    r.push_back({{o, o, i}, kNoPlane, {{o, i, o}}});
+    return r;
+  }
+
+  // A row of the matrix, scaled by a power of two so that determinants neither overflow nor vanish.
+  template <Scalar T, Space S, int K>
+  static constexpr Line<T> row(DepthRange depth, Plane plane,
+                               const std::array<Vec4<T>, 3>& positions,
+                               const Triangle<S, T, K>& source) {
+    Line<T> r{{}, bit(plane)};
+    for (std::size_t i = 0; i < 3; ++i) {
+      r.of[i] = signed_distance(depth, plane, ClipVertex<T, K>{positions[i], source[i].attributes});
+    }
+    if constexpr (std::floating_point<T>) {
+      const T largest = std::max({std::abs(r.of[0]), std::abs(r.of[1]), std::abs(r.of[2])});
+      const int exponent = -std::ilogb(largest);
+      for (T& d : r.of) d = std::ldexp(d, exponent);
+    }
+    return r;
+  }
+
+  template <Scalar T>
+  static constexpr T dot(const std::array<T, 3>& a, const std::array<T, 3>& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+
+  template <Scalar T>
+  static constexpr std::array<T, 3> cross(const std::array<T, 3>& a, const std::array<T, 3>& b) {
+    return {sum_of_products(a[1], b[2], T(-a[2]), b[1]),
+            sum_of_products(a[2], b[0], T(-a[0]), b[2]),
+            sum_of_products(a[0], b[1], T(-a[1]), b[0])};
+  }
+
+  // The corners with line . lambda >= 0 and the meetings of the polygon's lines with this one.
+  template <Scalar T>
+  static constexpr void cut_corners(const Corners<T>& in, const Line<T>& line, Corners<T>& out) {
+    out.clear();
+    const T zero(0);
+    for (int i = 0; i < in.size(); ++i) {
+      const Corner<T>& from = in[i];
+      const T d = dot(line.of, from.lambda);
+      const T d_next = dot(line.of, in[(i + 1) % in.size()].lambda);
+      const Outcode on = from.next.plane | line.plane;
+      if (zero <= d) {
+        out.push_back({from.lambda, from.on, zero == d && d_next < zero ? line : from.next});
+      }
+      if (zero < d && d_next < zero) {
+        out.push_back({cross(from.next.of, line.of), on, line});
+      } else if (d < zero && zero < d_next) {
+        out.push_back({cross(line.of, from.next.of), on, from.next});
+      }
+    }
+  }
+
+  template <Scalar T, Space S, int K>
+  static constexpr void append_vertex(DepthRange depth, const Corner<T>& corner,
+                                      const std::array<Vec4<T>, 3>& positions,
+                                      const Triangle<S, T, K>& source, NdcPolygon<T, K>& out) {
+    const std::array<T, 3>& lambda = corner.lambda;
+    const auto sum = [&](auto&& value) {
+      const T r = dot(lambda, {value(0), value(1), value(2)});
+      return r;
+    };
+    const T weight = lambda[0] + lambda[1] + lambda[2];
+    const T w = sum([&](std::size_t i) { return positions[i][3]; });
+    if (!(T(0) < weight) || !(T(0) < w)) return;
+    NdcVertex<T, K> v;
+    for (int c = 0; c < 3; ++c) {
+      const T x = sum([&](std::size_t i) { return positions[i][c]; });
+      v.position[c] = x / w;
+    }
+    v.position[3] = weight / w;
+    set_exactly(depth, corner.on, v.position);
+    v.attributes.resize(source[0].attributes.size());
+    for (int k = 0; k < v.attributes.size(); ++k) {
+      const T a = sum([&](std::size_t i) { return source[i].attributes[k]; });
+      v.attributes[k] = a / weight;
+    }
+    out.push_back(v);
+  }
+
+  template <Scalar T>
+  static constexpr void set_exactly(DepthRange depth, Outcode on, Vec4<T>& ndc) {
+    const bool gl = depth == DepthRange::minus_one_to_one;
+    const T low = gl ? T(-1) : T(0);
+    const bool reversed = depth == DepthRange::reversed;
+    if (on & bit(Plane::left)) ndc[0] = T(-1);
+    if (on & bit(Plane::right)) ndc[0] = T(1);
+    if (on & bit(Plane::bottom)) ndc[1] = T(-1);
+    if (on & bit(Plane::top)) ndc[1] = T(1);
+    if (on & bit(Plane::near)) ndc[2] = reversed ? T(1) : low;
+    if (on & bit(Plane::far)) ndc[2] = reversed ? T(0) : T(1);
+  }
+};
+
+}  // namespace clipscope

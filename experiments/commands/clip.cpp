@@ -69,7 +69,7 @@ void clip_all(const Contestant<T>& contestant, const ClipOptions& options,
       contestant.view_one(projection, triangle_of<T, Space::view>(triangles[i], attributes),
                           *polygon);
     } else {
-      contestant.clip_one(frustum.depth, triangle_of<T, Space::clip>(triangles[i], attributes),
+      contestant.clip_one(ClipVolume{.depth = frustum.depth}, triangle_of<T, Space::clip>(triangles[i], attributes),
                           *polygon);
     }
     append_rows(i, *polygon, options.hex, csv);

@@ -218,7 +218,7 @@ void explain_with(const Contestant<T>& contestant, const Subject& subject) {
     }
     explain_clip(depth, triangle);
     explain_ndc(depth, triangle);
-    contestant.clip_one(depth, triangle, *polygon);
+    contestant.clip_one(ClipVolume{.depth = depth}, triangle, *polygon);
     truth = truth_polygon(reference::Truth::of_clip(depth), reference::input_triangle(bits));
   }
   fmt::print("\nAnswer of {} in {}\n", contestant.name, ScalarTraits<T>::name);

@@ -49,43 +49,56 @@ class PolygonStream {
   std::size_t used_ = 0;
 };
 
-template <Scalar T>
+// A clipper of points (N = 1), segments (2) or triangles (3) in one scalar.
+template <Scalar T, std::size_t N = 3>
 struct Contestant {
   static constexpr int K = kSceneAttributes;
+  template <Space S>
+  using Input = Simplex<S, T, K, N>;
+  template <Space S>
+  using InputOne = Simplex<S, T, kRunTime, N>;
 
   std::string_view name, summary, source;
   Promise promise;
 
-  // Clips every triangle and appends one polygon, maybe empty, for each. `clip` is null for a clipper
+  // Clips every primitive and appends one polygon, maybe empty, for each. `clip` is null for a clipper
   // that does not start at clip coordinates.
-  void (*view)(const Projection<T>&, std::span<const ViewTriangle<T, K>>, PolygonStream<T, K>&);
-  void (*clip)(DepthRange, std::span<const ClipTriangle<T, K>>, PolygonStream<T, K>&);
+  void (*view)(const Projection<T>&, std::span<const Input<Space::view>>, PolygonStream<T, K>&);
+  void (*clip)(const ClipVolume&, std::span<const Input<Space::clip>>, PolygonStream<T, K>&);
 
-  // The same for one triangle with an attribute count known at run time.
-  void (*view_one)(const Projection<T>&, const ViewTriangle<T, kRunTime>&,
-                   NdcPolygon<T, kRunTime>&);
-  void (*clip_one)(DepthRange, const ClipTriangle<T, kRunTime>&, NdcPolygon<T, kRunTime>&);
+  // The same for one primitive with an attribute count known at run time.
+  void (*view_one)(const Projection<T>&, const InputOne<Space::view>&, NdcPolygon<T, kRunTime>&);
+  void (*clip_one)(const ClipVolume&, const InputOne<Space::clip>&, NdcPolygon<T, kRunTime>&);
 };
 
-// All clippers in one scalar, in the order of spaces/clippers.hpp.
-template <Scalar T>
-std::span<const Contestant<T>> contestants();
+// All clippers of primitives with N vertices that there are in one scalar, in the order of
+// spaces/clippers.hpp.
+template <Scalar T, std::size_t N = 3>
+std::span<const Contestant<T, N>> contestants();
 
 // A contestant in any scalar.
-using AnyContestant =
-    std::variant<const Contestant<float>*, const Contestant<double>*, const Contestant<dd_real>*,
-                 const Contestant<Exact>*, const Contestant<Counted>*>;
+template <std::size_t N>
+using AnyContestantOf = std::variant<const Contestant<float, N>*, const Contestant<double, N>*,
+                                     const Contestant<dd_real, N>*, const Contestant<Exact, N>*,
+                                     const Contestant<Counted, N>*>;
+using AnyContestant = AnyContestantOf<3>;
 
-std::string_view clipper_name(const AnyContestant& contestant);
+template <std::size_t N>
+std::string_view clipper_name(const AnyContestantOf<N>& contestant) {
+  return std::visit([](const auto* c) { return c->name; }, contestant);
+}
+
 std::string_view scalar_name(const AnyContestant& contestant);
 
 // The contestants whose clipper matches the shell pattern (`*`, `?`; a name without them also stands
 // for the clippers of which it is the folder or the method) and whose scalar is in the list, by clipper,
-// then scalar. Throws UsageError naming the option, what was given and what there is.
+// then scalar; a clipper that there is not in a scalar is left out. Throws UsageError naming the
+// option, what was given and what there is.
 std::vector<AnyContestant> select_contestants(std::string_view clipper_pattern,
                                               const std::vector<std::string>& scalars);
 
 // The one contestant of that name. Throws UsageError if none or several match.
-AnyContestant find_contestant(std::string_view clipper, std::string_view scalar);
+template <std::size_t N = 3>
+AnyContestantOf<N> find_contestant(std::string_view clipper, std::string_view scalar);
 
 }  // namespace clipscope::experiments

@@ -3,53 +3,59 @@
 // Makes the contestants of one scalar; included once per scalar, each in its own translation unit.
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "experiments/contestants/contestant.hpp"
 #include "spaces/clippers.hpp"
 
 namespace clipscope::experiments {
 
-template <class C, Scalar T>
-Contestant<T> make_contestant() {
-  constexpr int K = Contestant<T>::K;
-  Contestant<T> contestant{.name = C::name,
-                           .summary = C::summary,
-                           .source = C::source,
-                           .promise = C::promise,
-                           .view = nullptr,
-                           .clip = nullptr,
-                           .view_one = nullptr,
-                           .clip_one = nullptr};
-  contestant.view = [](const Projection<T>& projection,
-                       std::span<const ViewTriangle<T, K>> triangles, PolygonStream<T, K>& out) {
-    NdcPolygon<T, K> polygon;
-    for (const ViewTriangle<T, K>& triangle : triangles) {
-      C{}(projection, triangle, polygon);
-      out.append(polygon);
-    }
-  };
-  contestant.view_one = [](const Projection<T>& projection,
-                           const ViewTriangle<T, kRunTime>& triangle,
-                           NdcPolygon<T, kRunTime>& out) { C{}(projection, triangle, out); };
-  if constexpr (ClipsClipTriangles<C, T, K>) {
-    contestant.clip = [](DepthRange depth, std::span<const ClipTriangle<T, K>> triangles,
-                         PolygonStream<T, K>& out) {
-      NdcPolygon<T, K> polygon;
-      for (const ClipTriangle<T, K>& triangle : triangles) {
-        C{}(depth, triangle, polygon);
-        out.append(polygon);
-      }
-    };
-    contestant.clip_one = [](DepthRange depth, const ClipTriangle<T, kRunTime>& triangle,
-                             NdcPolygon<T, kRunTime>& out) { C{}(depth, triangle, out); };
+// Where: a projection or a volume.
+template <class C, class Where, class Primitive, class T, int K>
+void clip_batch(const Where& where, std::span<const Primitive> primitives,
+                PolygonStream<T, K>& out) {
+  NdcPolygon<T, K> polygon;
+  for (const Primitive& primitive : primitives) {
+    C{}(where, primitive, polygon);
+    out.append(polygon);
+  }
+}
+
+template <class C, class Where, class Primitive, class T>
+void clip_one(const Where& where, const Primitive& primitive, NdcPolygon<T, kRunTime>& out) {
+  C{}(where, primitive, out);
+}
+
+template <class C, Scalar T, std::size_t N>
+Contestant<T, N> make_contestant() {
+  using Result = Contestant<T, N>;
+  Result contestant{.name = C::name,
+                    .summary = C::summary,
+                    .source = C::source,
+                    .promise = C::promise,
+                    .view = clip_batch<C>,
+                    .clip = nullptr,
+                    .view_one = clip_one<C>,
+                    .clip_one = nullptr};
+  if constexpr (ClipsClipSpace<C, T, Result::K, N>) {
+    contestant.clip = clip_batch<C>;
+    contestant.clip_one = clip_one<C>;
   }
   return contestant;
 }
 
-template <Scalar T, class... Cs>
-std::span<const Contestant<T>> contestants_of(TypeList<Cs...>) {
-  static const std::array<Contestant<T>, sizeof...(Cs)> all = {make_contestant<Cs, T>()...};
+template <Scalar T, std::size_t N, class... Cs>
+std::span<const Contestant<T, N>> contestants_of(TypeList<Cs...>) {
+  static const std::vector<Contestant<T, N>> all = [] {
+    std::vector<Contestant<T, N>> list;
+    const auto add = [&]<class C>() {
+      if constexpr (ClipsViewSpace<C, T, kSceneAttributes, N>) {
+        list.push_back(make_contestant<C, T, N>());
+      }
+    };
+    (add.template operator()<Cs>(), ...);
+    return list;
+  }();
   return all;
 }
 

@@ -7,7 +7,7 @@ namespace clipscope::experiments {
 
 template <>
 std::span<const Contestant<Counted>> contestants<Counted>() {
-  return contestants_of<Counted>(AllClippers{});
+  return contestants_of<Counted, 3>(AllClippers{});
 }
 
 }  // namespace clipscope::experiments

@@ -7,7 +7,7 @@ namespace clipscope::experiments {
 
 template <>
 std::span<const Contestant<double>> contestants<double>() {
-  return contestants_of<double>(AllClippers{});
+  return contestants_of<double, 3>(AllClippers{});
 }
 
 }  // namespace clipscope::experiments

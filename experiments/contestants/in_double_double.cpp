@@ -7,7 +7,7 @@ namespace clipscope::experiments {
 
 template <>
 std::span<const Contestant<dd_real>> contestants<dd_real>() {
-  return contestants_of<dd_real>(AllClippers{});
+  return contestants_of<dd_real, 3>(AllClippers{});
 }
 
 }  // namespace clipscope::experiments

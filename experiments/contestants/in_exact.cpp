@@ -7,7 +7,7 @@ namespace clipscope::experiments {
 
 template <>
 std::span<const Contestant<Exact>> contestants<Exact>() {
-  return contestants_of<Exact>(AllClippers{});
+  return contestants_of<Exact, 3>(AllClippers{});
 }
 
 }  // namespace clipscope::experiments

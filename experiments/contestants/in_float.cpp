@@ -7,7 +7,7 @@ namespace clipscope::experiments {
 
 template <>
 std::span<const Contestant<float>> contestants<float>() {
-  return contestants_of<float>(AllClippers{});
+  return contestants_of<float, 3>(AllClippers{});
 }
 
 }  // namespace clipscope::experiments

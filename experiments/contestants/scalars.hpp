@@ -109,13 +109,9 @@ Projection<T> projection_from(const Frustum<double>& f) {
       f.infinite_far, scalar_from<T>(f.shear_x), scalar_from<T>(f.shear_y), f.depth});
 }
 
-inline bool is_finite(float x) { return std::isfinite(x); }
-inline bool is_finite(double x) { return std::isfinite(x); }
-inline bool is_finite(const dd_real& x) { return std::isfinite(x.x[0]) && std::isfinite(x.x[1]); }
-inline bool is_finite(const Exact&) { return true; }
-inline bool is_finite(const Counted& x) { return std::isfinite(x.value()); }
+using clipscope::is_finite;
 
-// Whether every coordinate and attribute is.
+// Whether every coordinate and attribute is neither NaN nor infinite.
 template <class T, int K>
 bool is_finite(const NdcVertex<T, K>& v) {
   for (int i = 0; i < 4; ++i) {

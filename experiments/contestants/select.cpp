@@ -4,6 +4,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "experiments/contestants/contestant.hpp"
@@ -12,9 +13,10 @@
 namespace clipscope::experiments {
 namespace {
 
+template <std::size_t N>
 std::vector<std::string_view> clipper_names() {
   std::vector<std::string_view> names;
-  for (const Contestant<float>& contestant : contestants<float>()) {
+  for (const Contestant<float, N>& contestant : contestants<float, N>()) {
     names.push_back(contestant.name);
   }
   return names;
@@ -35,20 +37,18 @@ bool matches(std::string_view pattern, std::string_view name) {
   return n.starts_with(p + "/") || n.ends_with("/" + p);
 }
 
-// Indices into the list of clippers.
-std::vector<std::size_t> matching_clippers(std::string_view pattern) {
-  const std::vector<std::string_view> names = clipper_names();
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (matches(pattern, names[i])) {
-      indices.push_back(i);
-    }
+template <std::size_t N>
+std::vector<std::string_view> matching_clippers(std::string_view pattern) {
+  std::vector<std::string_view> matching;
+  for (const std::string_view name : clipper_names<N>()) {
+    if (name == pattern) return {name};
+    if (matches(pattern, name)) matching.push_back(name);
   }
-  if (indices.empty()) {
+  if (matching.empty()) {
     throw UsageError(fmt::format("--clipper: no clipper matches '{}'; there are: {}", pattern,
-                                 fmt::join(names, ", ")));
+                                 fmt::join(clipper_names<N>(), ", ")));
   }
-  return indices;
+  return matching;
 }
 
 void check_scalar(std::string_view scalar) {
@@ -59,11 +59,15 @@ void check_scalar(std::string_view scalar) {
   }
 }
 
-AnyContestant contestant_at(std::size_t clipper, std::string_view scalar) {
-  AnyContestant found;
+// Nothing for a clipper that there is not in that scalar.
+template <std::size_t N>
+std::optional<AnyContestantOf<N>> contestant_named(std::string_view clipper,
+                                                   std::string_view scalar) {
+  std::optional<AnyContestantOf<N>> found;
   for_each_type(AllScalars{}, [&]<class T>() {
-    if (ScalarTraits<T>::name == scalar) {
-      found = &contestants<T>()[clipper];
+    if (ScalarTraits<T>::name != scalar) return;
+    for (const Contestant<T, N>& contestant : contestants<T, N>()) {
+      if (contestant.name == clipper) found = &contestant;
     }
   });
   return found;
@@ -76,10 +80,6 @@ std::string_view scalar_of(const Contestant<T>*) {
 
 }  // namespace
 
-std::string_view clipper_name(const AnyContestant& contestant) {
-  return std::visit([](const auto* c) { return c->name; }, contestant);
-}
-
 std::string_view scalar_name(const AnyContestant& contestant) {
   return std::visit([](const auto* c) { return scalar_of(c); }, contestant);
 }
@@ -88,26 +88,36 @@ std::vector<AnyContestant> select_contestants(std::string_view clipper_pattern,
                                               const std::vector<std::string>& scalars) {
   std::vector<AnyContestant> selected;
   std::for_each(scalars.begin(), scalars.end(), check_scalar);
-  for (const std::size_t clipper : matching_clippers(clipper_pattern)) {
+  for (const std::string_view clipper : matching_clippers<3>(clipper_pattern)) {
     for (const std::string& scalar : scalars) {
-      selected.push_back(contestant_at(clipper, scalar));
+      if (const auto contestant = contestant_named<3>(clipper, scalar)) {
+        selected.push_back(*contestant);
+      }
     }
+  }
+  if (selected.empty()) {
+    throw UsageError(fmt::format("--clipper: '{}' does not exist in {}", clipper_pattern,
+                                 fmt::join(scalars, ", ")));
   }
   return selected;
 }
 
-AnyContestant find_contestant(std::string_view clipper, std::string_view scalar) {
+template <std::size_t N>
+AnyContestantOf<N> find_contestant(std::string_view clipper, std::string_view scalar) {
   check_scalar(scalar);
-  const std::vector<std::size_t> clippers = matching_clippers(clipper);
-  if (clippers.size() > 1) {
-    std::vector<std::string_view> names;
-    for (const std::size_t i : clippers) {
-      names.push_back(clipper_names()[i]);
-    }
+  const std::vector<std::string_view> matching = matching_clippers<N>(clipper);
+  if (matching.size() > 1) {
     throw UsageError(fmt::format("--clipper: '{}' matches several clippers, name one of: {}",
-                                 clipper, fmt::join(names, ", ")));
+                                 clipper, fmt::join(matching, ", ")));
   }
-  return contestant_at(clippers.front(), scalar);
+  const auto contestant = contestant_named<N>(matching.front(), scalar);
+  if (!contestant) {
+    throw UsageError(fmt::format("--scalar: {} needs an operation that {} does not have",
+                                 matching.front(), scalar));
+  }
+  return *contestant;
 }
+
+template AnyContestantOf<3> find_contestant<3>(std::string_view, std::string_view);
 
 }  // namespace clipscope::experiments

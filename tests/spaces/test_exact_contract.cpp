@@ -102,7 +102,7 @@ Exact area_clipped_again(DepthRange depth, const NdcPolygon<Exact, K>& polygon) 
       fan[j].attributes = v.attributes;
     }
     NdcPolygon<Exact, K> again;
-    C{}(depth, fan, again);
+    C{}(ClipVolume{depth}, fan, again);
     area = area + parameter_area(again);
   }
   return area;
@@ -119,7 +119,7 @@ TEST_CASE("exact contract: the inside and what planes cut away tile the triangle
       for_each_type(FullHomogeneousClippers{}, [&]<class C>() {
         INFO(C::name);
         NdcPolygon<Exact, K> inside;
-        C{}(depth, triangle, inside);
+        C{}(ClipVolume{depth}, triangle, inside);
         if (!has_apex(triangle)) CHECK(parameter_area(inside) + outside == Exact(1));
       });
     }
@@ -132,7 +132,7 @@ TEST_CASE("exact contract: clipping what was clipped changes nothing") {
     const auto triangle = clip_triangle<Exact>(random_corners(random, 3));
     for_each_type(FullHomogeneousClippers{}, [&]<class C>() {
       NdcPolygon<Exact, K> once;
-      C{}(DepthRange::zero_to_one, triangle, once);
+      C{}(ClipVolume{DepthRange::zero_to_one}, triangle, once);
       CHECK(area_clipped_again<C>(DepthRange::zero_to_one, once) == parameter_area(once));
     });
   }
@@ -148,7 +148,7 @@ TEST_CASE("exact contract: in clip space every clipper has the reference's verti
       for_each_type(FullHomogeneousClippers{}, [&]<class C>() {
         INFO(C::name);
         NdcPolygon<Exact, K> out;
-        C{}(depth, clip_triangle<Exact>(corners), out);
+        C{}(ClipVolume{depth}, clip_triangle<Exact>(corners), out);
         CHECK(sorted_keys(out) == sorted_keys(exact));
       });
     }
@@ -174,10 +174,12 @@ TEST_CASE("exact contract: in view space every clipper has the reference's verti
       auto bits = reference::input_triangle(view_triangle<double>(corners));
       const auto exact = reference::clip(truth, bits);
       for_each_type(FullClippers{}, [&]<class C>() {
-        INFO(C::name);
-        NdcPolygon<Exact, K> out;
-        C{}(projection, view_triangle<Exact>(corners), out);
-        CHECK(sorted_keys(out) == sorted_keys(exact));
+        if constexpr (ClipsViewSpace<C, Exact, K>) {
+          INFO(C::name);
+          NdcPolygon<Exact, K> out;
+          C{}(projection, view_triangle<Exact>(corners), out);
+          CHECK(sorted_keys(out) == sorted_keys(exact));
+        }
       });
     }
   }

@@ -3,6 +3,7 @@
 // Triangles for tests: literal ones, and random ones over magnitudes and around the volume.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <random>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "experiments/contestants/scalars.hpp"
 #include "spaces/clippers.hpp"
+#include "tests/catch.hpp"
 
 namespace clipscope::tests {
 
@@ -62,11 +64,75 @@ inline Corners random_corners(std::mt19937_64& random, double size) {
   return corners;
 }
 
-// The clippers that keep the contract for every view-space triangle.
-using FullClippers =
-    TypeList<Textbook, ViewSutherlandHodgman, HomogeneousSutherlandHodgman, CvvNearFirst>;
+template <class... Lists>
+struct Concatenation;
+template <class... As>
+struct Concatenation<TypeList<As...>> {
+  using type = TypeList<As...>;
+};
+template <class... As, class... Bs, class... Rest>
+struct Concatenation<TypeList<As...>, TypeList<Bs...>, Rest...>
+    : Concatenation<TypeList<As..., Bs...>, Rest...> {};
+
+template <class C>
+inline constexpr bool kKeepsContract =
+    C::promise.covers&& C::promise.contained&& C::promise.attributes&& C::promise.domain !=
+    Promise::Domain::in_front;
+template <class C>
+inline constexpr bool kKeepsClipContract =
+    kKeepsContract<C>&& ClipsClipSpace<C, float, K>&& C::promise.domain == Promise::Domain::any;
+
+template <class List>
+struct Kept;
+template <class... Cs>
+struct Kept<TypeList<Cs...>> {
+  using View = typename Concatenation<
+      TypeList<>, std::conditional_t<kKeepsContract<Cs>, TypeList<Cs>, TypeList<>>...>::type;
+  using Clip = typename Concatenation<
+      TypeList<>, std::conditional_t<kKeepsClipContract<Cs>, TypeList<Cs>, TypeList<>>...>::type;
+};
+
+// The clippers that by their promise keep the contract for every view-space triangle.
+using FullClippers = Kept<AllClippers>::View;
 
 // The clippers that keep it for every clip-space triangle.
-using FullHomogeneousClippers = TypeList<Textbook, HomogeneousSutherlandHodgman>;
+using FullHomogeneousClippers = Kept<AllClippers>::Clip;
+
+template <class T>
+bool same(const NdcVertex<T, K>& a, const NdcVertex<T, K>& b) {
+  for (int i = 0; i < 4; ++i) {
+    if (!(a.position[i] == b.position[i])) return false;
+  }
+  for (int k = 0; k < K; ++k) {
+    if (!(a.attributes[k] == b.attributes[k])) return false;
+  }
+  return true;
+}
+
+// Whether b is a, beginning elsewhere.
+template <class T>
+bool same_up_to_rotation(const NdcPolygon<T, K>& a, const NdcPolygon<T, K>& b) {
+  const int n = a.size();
+  if (n != b.size()) return false;
+  for (int shift = 0; shift < std::max(n, 1); ++shift) {
+    bool equal = true;
+    for (int i = 0; i < n && equal; ++i) equal = same(a[i], b[(i + shift) % n]);
+    if (equal) return true;
+  }
+  return false;
+}
+
+// Runs f.operator()<C, T>() for every pair that there is.
+template <class Clippers, class F>
+void for_every(F&& f) {
+  experiments::for_each_type(Clippers{}, [&]<class C>() {
+    experiments::for_each_type(experiments::AllScalars{}, [&]<class T>() {
+      if constexpr (ClipsViewSpace<C, T, K>) {
+        INFO(C::name << " in " << experiments::ScalarTraits<T>::name);
+        f.template operator()<C, T>();
+      }
+    });
+  });
+}
 
 }  // namespace clipscope::tests

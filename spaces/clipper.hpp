@@ -13,8 +13,8 @@
 //   - a primitive with a position coordinate that is NaN or infinite yields nothing;
 //   - attributes are not looked at, clip distances apart: a vertex whose clip distance is NaN is
 //     outside of it;
-//   - from finite positions no NaN comes out: where a result overflows on its way, nothing comes out.
-//     1/w may overflow to infinity.
+//   - from finite positions no NaN and no infinite x, y or z comes out: where a result overflows on its
+//     way, nothing comes out. 1/w may overflow to infinity.
 #pragma once
 
 #include <concepts>

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "spaces/products.hpp"
+#include "spaces/scalar.hpp"
 
 namespace clipscope {
 
@@ -86,6 +87,16 @@ class Counting {
  private:
   T value_{};
 };
+
+// Asking is not computing: it is not counted.
+template <class T>
+constexpr bool is_finite(const Counting<T>& a) {
+  return is_finite(a.value());
+}
+template <class T>
+constexpr bool is_nan(const Counting<T>& a) {
+  return is_nan(a.value());
+}
 
 }  // namespace clipscope
 

@@ -78,15 +78,15 @@ class VertexList {
 template <Space S, Scalar T, int K>
 using Polygon = VertexList<Vertex<S, T, K>>;
 
-// Clippers are total: where a result overflowed on its way to a NaN, nothing is drawn rather than that.
-template <Space S, Scalar T, int K>
-constexpr void clear_if_nan(Polygon<S, T, K>& polygon) {
-  for (const Vertex<S, T, K>& v : polygon) {
-    for (int i = 0; i < Vertex<S, T, K>::kDimension; ++i) {
-      if (is_nan(v.position[i])) {
-        polygon.clear();
-        return;
-      }
+// Clippers are total: where a result overflowed on its way, nothing is drawn rather than a NaN or an
+// infinite x, y or z.
+template <Scalar T, int K>
+constexpr void clear_if_overflowed(Polygon<Space::ndc, T, K>& polygon) {
+  for (const NdcVertex<T, K>& v : polygon) {
+    const auto& p = v.position;
+    if (!(is_finite(p[0]) && is_finite(p[1]) && is_finite(p[2])) || is_nan(p[3])) {
+      polygon.clear();
+      return;
     }
   }
 }

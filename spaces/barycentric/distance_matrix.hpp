@@ -104,7 +104,7 @@ struct DistanceMatrix {
       append_vertex(volume.depth, corner, positions, source, out);
     }
     out.drop_if_degenerate();
-    clear_if_nan(out);
+    clear_if_overflowed(out);
   }
 
   template <Scalar T>

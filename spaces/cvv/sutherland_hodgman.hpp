@@ -70,7 +70,7 @@ constexpr void cut_planes(DepthRange depth, Outcode planes, NdcPolygon<T, K>& po
     polygon = *rest;
   }
   polygon.drop_if_degenerate();
-  clear_if_nan(polygon);
+  clear_if_overflowed(polygon);
 }
 
 // Divides and cuts by those of the planes given that some divided vertex is outside of.
@@ -114,8 +114,7 @@ struct CvvSutherlandHodgman {
   static constexpr Promise promise{.domain = Promise::Domain::in_front,
                                    .attributes = !kAffine,
                                    .ulps = kChainUlps,
-                                   .amplification = Promise::Amplification::w_ratio,
-                                   .total = false};
+                                   .amplification = Promise::Amplification::w_ratio};
 
   template <Scalar T, int K>
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
@@ -131,7 +130,7 @@ struct CvvSutherlandHodgman {
     ClipPolygon<T, K> polygon;
     polygon.assign(triangle);
     cvv::divide_and_cut<kAttributes>(volume, planes_of(volume), polygon, out);
-    clear_if_nan(out);
+    clear_if_overflowed(out);
   }
 };
 
@@ -172,7 +171,7 @@ struct CvvNearFirst {
     }
     cvv::divide_and_cut<AttributeInterpolation::perspective>(volume, planes_of(volume), polygon,
                                                              out);
-    clear_if_nan(out);
+    clear_if_overflowed(out);
   }
 };
 

@@ -19,7 +19,7 @@ constexpr void divide(const ClipPolygon<T, K>& in, NdcPolygon<T, K>& out) {
     }
   }
   out.drop_if_degenerate();
-  clear_if_nan(out);
+  clear_if_overflowed(out);
 }
 
 // Divides a triangle that is inside all planes into `out`: a vertex has w >= |x| >= 0 then; only

@@ -59,7 +59,7 @@ struct HomogeneousGuardBand {
     cvv::divide_and_cut<AttributeInterpolation::perspective>(volume, code.any & kSides, polygon,
                                                              out);
     out.drop_if_degenerate();
-    clear_if_nan(out);
+    clear_if_overflowed(out);
   }
 
  private:

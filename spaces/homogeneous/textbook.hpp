@@ -57,7 +57,7 @@ struct Textbook {
       }
     }
     out.drop_if_degenerate();
-    clear_if_nan(out);
+    clear_if_overflowed(out);
   }
 
  private:

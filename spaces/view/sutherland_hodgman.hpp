@@ -111,7 +111,7 @@ struct ViewSutherlandHodgmanWith {
       }
     }
     out.drop_if_degenerate();
-    clear_if_nan(out);
+    clear_if_overflowed(out);
   }
 };
 

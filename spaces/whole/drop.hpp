@@ -30,7 +30,6 @@ struct WholeTriangle {
                                    .covers = !kAny,
                                    .contained = kAny,
                                    .ulps = kProjectUlps,
-                                   .total = kAny,
                                    .watertight = !kAny};
 
   template <Scalar T, int K>
@@ -56,7 +55,7 @@ struct WholeTriangle {
       }
       out.push_back(to_ndc(v));
     }
-    clear_if_nan(out);
+    clear_if_overflowed(out);
   }
 };
 

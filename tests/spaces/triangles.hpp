@@ -98,13 +98,19 @@ using FullClippers = Kept<AllClippers>::View;
 // The clippers that keep it for every clip-space triangle.
 using FullHomogeneousClippers = Kept<AllClippers>::Clip;
 
+// Equal, a NaN also to another.
+template <class T>
+bool same(const T& a, const T& b) {
+  return a == b || (!(a == a) && !(b == b));
+}
+
 template <class T>
 bool same(const NdcVertex<T, K>& a, const NdcVertex<T, K>& b) {
   for (int i = 0; i < 4; ++i) {
-    if (!(a.position[i] == b.position[i])) return false;
+    if (!same(a.position[i], b.position[i])) return false;
   }
   for (int k = 0; k < K; ++k) {
-    if (!(a.attributes[k] == b.attributes[k])) return false;
+    if (!same(a.attributes[k], b.attributes[k])) return false;
   }
   return true;
 }

@@ -280,7 +280,7 @@ class CaseReader {
   void read_expected() {
     const Words& words = text_.words();
     const std::string_view verdict = words.size() > 1 ? words[1] : std::string_view();
-    Outcome& expected = current_->expected;
+    ExactOutcome& expected = current_->expected;
     const bool has_count = words.size() == 3;
     if (verdict == "rejected" && !has_count) {
       expected.verdict = Verdict::rejected;
@@ -372,8 +372,8 @@ class CaseReader {
   }
 
   void check_expected() {
-    const Outcome exact = exact_outcome(*current_);
-    Outcome& expected = current_->expected;
+    const ExactOutcome exact = exact_outcome(*current_);
+    ExactOutcome& expected = current_->expected;
     if (!seen_.contains("expect")) {
       expected = exact;
       return;

@@ -22,7 +22,7 @@ reference::ExactPolygon exact_polygon(const HardCase& hard_case) {
   return reference::clip(truth_of(hard_case), hard_case.vertices, hard_case.attribute_count);
 }
 
-Outcome exact_outcome(const HardCase& hard_case) {
+ExactOutcome exact_outcome(const HardCase& hard_case) {
   const reference::ExactPolygon polygon = exact_polygon(hard_case);
   return {polygon.verdict, polygon.vertices.size()};
 }
@@ -35,7 +35,7 @@ reference::InputTriangle triangle_of(const HardCase& hard_case) {
   return triangle;
 }
 
-std::string to_string(const Outcome& outcome) {
+std::string to_string(const ExactOutcome& outcome) {
   switch (outcome.verdict) {
     case Verdict::rejected: return "rejected";
     case Verdict::accepted: return fmt::format("accepted {}", outcome.vertices);

@@ -23,11 +23,11 @@ constexpr std::size_t vertices_of(Primitive primitive) {
   return primitive == Primitive::polygon ? 0 : static_cast<std::size_t>(primitive) + 1;
 }
 
-struct Outcome {
+struct ExactOutcome {
   reference::Verdict verdict = reference::Verdict::rejected;
   std::size_t vertices = 0;  // of the exact polygon
 
-  friend bool operator==(const Outcome&, const Outcome&) = default;
+  friend bool operator==(const ExactOutcome&, const ExactOutcome&) = default;
 };
 
 struct HardCase {
@@ -50,7 +50,7 @@ struct HardCase {
   std::vector<reference::InputVertex> vertices;
   int attribute_count = 0;
 
-  Outcome expected;  // what the exact reference says
+  ExactOutcome expected;  // what the exact reference says
 
   // Vertices of the exact result (x, y, z, 1/w) found by hand, in any order; empty if not done.
   std::vector<std::array<reference::Rational, 4>> by_hand;
@@ -65,13 +65,13 @@ reference::Truth truth_of(const HardCase& hard_case);
 reference::ExactPolygon exact_polygon(const HardCase& hard_case);
 
 // Pre-condition: the case's coordinates and attributes are finite.
-Outcome exact_outcome(const HardCase& hard_case);
+ExactOutcome exact_outcome(const HardCase& hard_case);
 
 // The vertices as a triangle. Pre-condition: the case is a triangle.
 reference::InputTriangle triangle_of(const HardCase& hard_case);
 
 // "clipped 5", "accepted 3", "rejected".
-std::string to_string(const Outcome& outcome);
+std::string to_string(const ExactOutcome& outcome);
 std::string to_string(Primitive primitive);
 
 }  // namespace clipscope::experiments

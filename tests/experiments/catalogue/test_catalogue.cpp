@@ -118,7 +118,7 @@ TEST_CASE("catalogue: a case is read as it is written") {
         ClipVolume{.depth = DepthRange::zero_to_one, .depth_clamp = true, .clip_distances = 1});
   CHECK(c.vertices[0].position == std::array<double, 4>{0, .25, -3, 1});
   CHECK(std::signbit(c.vertices[1].position[2]));
-  CHECK(c.expected == Outcome{Verdict::clipped, 2});
+  CHECK(c.expected == ExactOutcome{Verdict::clipped, 2});
   CHECK(c.by_hand == HandVertices{{0, Rational(1) / 4, -3, 1}});
   CHECK(c.file == "folder/theme.cases");
   CHECK(c.line == 3);
@@ -140,7 +140,7 @@ TEST_CASE("catalogue: without attributes a triangle has its barycentric coordina
   CHECK(c.frustum.infinite_far);
   CHECK(c.frustum.depth == DepthRange::reversed);
   CHECK(c.vertices[2].position == std::array<double, 4>{0, 1, -2, 1});
-  CHECK(c.expected == Outcome{Verdict::accepted, 3});  // not stated, computed
+  CHECK(c.expected == ExactOutcome{Verdict::accepted, 3});  // not stated, computed
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) CHECK(c.vertices[i].attributes[k] == (i == k ? 1 : 0));
     CHECK(c.vertices[i].attributes[3] == 1);

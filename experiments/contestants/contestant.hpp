@@ -83,19 +83,21 @@ using AnyContestantOf = std::variant<const Contestant<float, N>*, const Contesta
                                      const Contestant<Counted, N>*>;
 using AnyContestant = AnyContestantOf<3>;
 
-template <std::size_t N>
+template <std::size_t N = 3>
 std::string_view clipper_name(const AnyContestantOf<N>& contestant) {
   return std::visit([](const auto* c) { return c->name; }, contestant);
 }
 
-std::string_view scalar_name(const AnyContestant& contestant);
+template <std::size_t N = 3>
+std::string_view scalar_name(const AnyContestantOf<N>& contestant);
 
 // The contestants whose clipper matches the shell pattern (`*`, `?`; a name without them also stands
 // for the clippers of which it is the folder or the method) and whose scalar is in the list, by clipper,
 // then scalar; a clipper that there is not in a scalar is left out. Throws UsageError naming the
 // option, what was given and what there is.
-std::vector<AnyContestant> select_contestants(std::string_view clipper_pattern,
-                                              const std::vector<std::string>& scalars);
+template <std::size_t N = 3>
+std::vector<AnyContestantOf<N>> select_contestants(std::string_view clipper_pattern,
+                                                   const std::vector<std::string>& scalars);
 
 // The one contestant of that name. Throws UsageError if none or several match.
 template <std::size_t N = 3>

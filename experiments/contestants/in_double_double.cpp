@@ -10,4 +10,14 @@ std::span<const Contestant<dd_real>> contestants<dd_real>() {
   return contestants_of<dd_real, 3>(AllClippers{});
 }
 
+template <>
+std::span<const Contestant<dd_real, 2>> contestants<dd_real, 2>() {
+  return contestants_of<dd_real, 2>(AllSegmentClippers{});
+}
+
+template <>
+std::span<const Contestant<dd_real, 1>> contestants<dd_real, 1>() {
+  return contestants_of<dd_real, 1>(AllPointClippers{});
+}
+
 }  // namespace clipscope::experiments

@@ -10,4 +10,14 @@ std::span<const Contestant<Exact>> contestants<Exact>() {
   return contestants_of<Exact, 3>(AllClippers{});
 }
 
+template <>
+std::span<const Contestant<Exact, 2>> contestants<Exact, 2>() {
+  return contestants_of<Exact, 2>(AllSegmentClippers{});
+}
+
+template <>
+std::span<const Contestant<Exact, 1>> contestants<Exact, 1>() {
+  return contestants_of<Exact, 1>(AllPointClippers{});
+}
+
 }  // namespace clipscope::experiments

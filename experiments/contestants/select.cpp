@@ -73,24 +73,26 @@ std::optional<AnyContestantOf<N>> contestant_named(std::string_view clipper,
   return found;
 }
 
-template <class T>
-std::string_view scalar_of(const Contestant<T>*) {
+template <class T, std::size_t N>
+std::string_view scalar_of(const Contestant<T, N>*) {
   return ScalarTraits<T>::name;
 }
 
 }  // namespace
 
-std::string_view scalar_name(const AnyContestant& contestant) {
+template <std::size_t N>
+std::string_view scalar_name(const AnyContestantOf<N>& contestant) {
   return std::visit([](const auto* c) { return scalar_of(c); }, contestant);
 }
 
-std::vector<AnyContestant> select_contestants(std::string_view clipper_pattern,
-                                              const std::vector<std::string>& scalars) {
-  std::vector<AnyContestant> selected;
+template <std::size_t N>
+std::vector<AnyContestantOf<N>> select_contestants(std::string_view clipper_pattern,
+                                                   const std::vector<std::string>& scalars) {
+  std::vector<AnyContestantOf<N>> selected;
   std::for_each(scalars.begin(), scalars.end(), check_scalar);
-  for (const std::string_view clipper : matching_clippers<3>(clipper_pattern)) {
+  for (const std::string_view clipper : matching_clippers<N>(clipper_pattern)) {
     for (const std::string& scalar : scalars) {
-      if (const auto contestant = contestant_named<3>(clipper, scalar)) {
+      if (const auto contestant = contestant_named<N>(clipper, scalar)) {
         selected.push_back(*contestant);
       }
     }
@@ -118,6 +120,17 @@ AnyContestantOf<N> find_contestant(std::string_view clipper, std::string_view sc
   return *contestant;
 }
 
+template std::string_view scalar_name<1>(const AnyContestantOf<1>&);
+template std::string_view scalar_name<2>(const AnyContestantOf<2>&);
+template std::string_view scalar_name<3>(const AnyContestantOf<3>&);
+template std::vector<AnyContestantOf<1>> select_contestants<1>(std::string_view,
+                                                               const std::vector<std::string>&);
+template std::vector<AnyContestantOf<2>> select_contestants<2>(std::string_view,
+                                                               const std::vector<std::string>&);
+template std::vector<AnyContestantOf<3>> select_contestants<3>(std::string_view,
+                                                               const std::vector<std::string>&);
+template AnyContestantOf<1> find_contestant<1>(std::string_view, std::string_view);
+template AnyContestantOf<2> find_contestant<2>(std::string_view, std::string_view);
 template AnyContestantOf<3> find_contestant<3>(std::string_view, std::string_view);
 
 }  // namespace clipscope::experiments

@@ -88,8 +88,9 @@ struct Match {
 
 Match best_rotation(const Points& truth, const Points& polygon) {
   const std::size_t n = truth.size();
+  const std::size_t rotations = n == 2 ? 1 : n;
   Match best;
-  for (std::size_t rotation = 0; rotation < n; ++rotation) {
+  for (std::size_t rotation = 0; rotation < rotations; ++rotation) {
     double largest = 0;
     for (std::size_t i = 0; i < n && largest < best.distance; ++i) {
       const auto& p = polygon[(i + rotation) % n];
@@ -100,7 +101,16 @@ Match best_rotation(const Points& truth, const Points& polygon) {
   return best;
 }
 
+bool is_turned_round(const Points& truth, const Points& segment) {
+  const auto direction = [](const Points& p) {
+    return std::array{p.back()[0] - p.front()[0], p.back()[1] - p.front()[1]};
+  };
+  const auto a = direction(truth), b = direction(segment);
+  return std::hypot(a[0], a[1]) > 1 && std::hypot(b[0], b[1]) > 1 && a[0] * b[0] + a[1] * b[1] < 0;
+}
+
 bool is_flipped(const Points& truth, const Points& polygon) {
+  if (truth.size() == 2 && polygon.size() == 2) return is_turned_round(truth, polygon);
   constexpr double kSmallArea = 1.0;  // px^2: below it rounding may turn a sliver over
   const double a = signed_area(truth);
   const double b = signed_area(polygon);
@@ -146,10 +156,17 @@ const Fraction& coordinate(const ExactVertex& v, int i) {
 
 TruthPolygon truth_polygon(const reference::Truth& truth,
                            const reference::InputTriangle& triangle) {
-  TruthPolygon result{reference::clip(truth, triangle), {}};
+  return truth_polygon(truth, triangle.vertices, triangle.attribute_count);
+}
+
+TruthPolygon truth_polygon(const reference::Truth& truth,
+                           std::span<const reference::InputVertex> vertices, int attribute_count) {
+  TruthPolygon result{reference::clip(truth, vertices, attribute_count),
+                      {},
+                      std::min<std::size_t>(3, vertices.size())};
   for (const ExactVertex& v : result.exact.vertices) {
     std::vector<double>& numbers = result.approximation.emplace_back();
-    for (int i = 0; i < 4 + triangle.attribute_count; ++i) {
+    for (int i = 0; i < 4 + attribute_count; ++i) {
       numbers.push_back(reference::approximate(coordinate(v, i)));
     }
   }
@@ -165,7 +182,7 @@ Comparison compare(std::span<const NdcVertex<T, K>> polygon, const TruthPolygon&
     return result;
   }
   const auto vertices = distinct(polygon);
-  if (vertices.size() < 3) {
+  if (vertices.size() < truth.needed) {
     result.visible = truth.is_visible();
     result.outcome = truth.is_visible() ? Outcome::missing : Outcome::exact;
     return result;

@@ -2,8 +2,8 @@
 //
 // A clipper's polygon against the exact one.
 //
-// Vertices are matched in order, at the rotation that brings them closest; repeated vertices count
-// once. Errors are differences to exact rationals, rounded to double only at the end (relative error
+// Vertices are matched in order, at the rotation that brings them closest (those of a segment in its
+// own order); repeated vertices count once. Errors are differences to exact rationals, rounded to double only at the end (relative error
 // below 2^-20).
 #pragma once
 
@@ -20,18 +20,22 @@ namespace clipscope::experiments {
 // Coordinate i of an exact vertex: x, y, z, 1/w, then the attributes.
 const reference::Fraction& coordinate(const reference::ExactVertex& v, int i);
 
-// The exact answer for one triangle, with each coordinate also as the nearest double or next to it:
+// The exact answer for one primitive, with each coordinate also as the nearest double or next to it:
 // x, y, z, 1/w, then the attributes.
 struct TruthPolygon {
   reference::ExactPolygon exact;
   std::vector<std::vector<double>> approximation;
+  std::size_t needed = 3;  // vertices that enclose anything: 3, of a segment 2, of a point 1
 
-  bool is_visible() const { return exact.vertices.size() >= 3; }
+  bool is_visible() const { return exact.vertices.size() >= needed; }
 };
 
 TruthPolygon truth_polygon(const reference::Truth& truth, const reference::InputTriangle& triangle);
+// A point, a segment, a triangle or a convex polygon. Pre-conditions: those of reference::clip.
+TruthPolygon truth_polygon(const reference::Truth& truth,
+                           std::span<const reference::InputVertex> vertices, int attribute_count);
 
-// Errors of one triangle: the largest over its vertices. Meaningless (0) unless the vertices match,
+// Errors of one primitive: the largest over its vertices. Meaningless (0) unless the vertices match,
 // that is for outcomes up to `visible`.
 struct Comparison {
   Outcome outcome = Outcome::exact;

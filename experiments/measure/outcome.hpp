@@ -10,21 +10,28 @@
 namespace clipscope::experiments {
 
 enum class Outcome : std::uint8_t {
-  exact,         // the right vertices, each coordinate within half an ulp: the nearest there is
-  faithful,      // the right vertices, each coordinate within one ulp
-  subpixel,      // the right vertices, each less than 1/256 px off
-  visible,       // the right vertices, some 1/256 px off or more
-  vertex_count,  // another number of vertices
-  missing,       // nothing, where something is visible
-  extra,         // something, where nothing is visible
-  flipped,       // the winding is reversed
-  not_finite     // some coordinate is NaN or infinite
+  exact,          // the right vertices, each coordinate within half an ulp: the nearest there is
+  faithful,       // the right vertices, each coordinate within one ulp
+  subpixel,       // the right vertices, each less than 1/256 px off
+  visible,        // the right vertices, some 1/256 px off or more
+  vertex_count,   // another number of vertices
+  missing,        // nothing, where something is visible
+  extra,          // something, where nothing is visible
+  flipped,        // the winding is reversed
+  not_finite,     // some coordinate is NaN or infinite
+  not_applicable  // the method does not take such input
 };
 
-inline constexpr int kOutcomes = 9;
+inline constexpr int kOutcomes = 10;
 inline constexpr std::array<std::string_view, kOutcomes> kOutcomeNames = {
-    "exact",   "faithful", "subpixel", "visible",   "vertex_count",
-    "missing", "extra",    "flipped",  "not_finite"};
+    "exact",   "faithful", "subpixel", "visible",    "vertex_count",
+    "missing", "extra",    "flipped",  "not_finite", "not_applicable"};
+
+// Whether the answer is wrong for somebody who looks at it: anything but the right vertices within a
+// small part of a pixel.
+constexpr bool is_failure(Outcome outcome) {
+  return outcome > Outcome::subpixel && outcome != Outcome::not_applicable;
+}
 
 constexpr std::string_view outcome_name(Outcome outcome) {
   return kOutcomeNames[static_cast<std::size_t>(outcome)];

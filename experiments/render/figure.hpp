@@ -48,4 +48,8 @@ void check_image_path(const std::filesystem::path& path);
 // Throws UsageError as check_image_path, OutputError with path and reason if it can't be written.
 void write_image(const std::filesystem::path& path, const Figure& figure);
 
+// Writes an image as 8 bit sRGB PNG, complete or not at all. Pre-condition: the path ends in .png.
+// Throws OutputError with path and reason if it can't be written.
+void write_png(const std::filesystem::path& path, const Image& image, const std::string& title);
+
 }  // namespace clipscope::experiments

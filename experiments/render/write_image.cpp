@@ -161,10 +161,14 @@ void write_image(const fs::path& path, const Figure& figure) {
   const FigureTitles& t = figure.titles;
   const std::string title = fmt::format("{}: {}, {}", t.scene, t.clipper, t.scalar);
   if (lower_extension(path) == ".png") {
-    write(path, "png", png_raster(compose(figure)), title);
+    write_png(path, compose(figure), title);
   } else {
     write(path, "openexr", exr_raster(figure, shade(*figure.tested, figure.picture)), title);
   }
+}
+
+void write_png(const fs::path& path, const Image& image, const std::string& title) {
+  write(path, "png", png_raster(image), title);
 }
 
 }  // namespace clipscope::experiments

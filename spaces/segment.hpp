@@ -57,12 +57,11 @@ constexpr bool is_same_position(const Position& a, const Position& b) {
 // the eye.
 template <Scalar T, int K>
 constexpr void keep_if_segment(NdcPolygon<T, K>& out) {
-  bool is_segment = out.size() == 2;
-  for (const NdcVertex<T, K>& v : out) {
-    for (int i = 0; i < 3; ++i) is_segment = is_segment && is_finite(v.position[i]);
-    is_segment = is_segment && !is_nan(v.position[3]);
+  clear_if_overflowed(out);
+  if (out.size() != 2 || is_nan(out[0].position[3]) || is_nan(out[1].position[3]) ||
+      is_same_position(out[0].position, out[1].position)) {
+    out.clear();
   }
-  if (!is_segment || is_same_position(out[0].position, out[1].position)) out.clear();
 }
 
 // The perspective divide of a clipped segment. What has w <= 0 after clipping has no picture: in exact

@@ -47,6 +47,7 @@ struct PointClipper {
   static constexpr std::string_view source =
       kPops ? "OpenGL 4.6 Core Profile Specification, section 13.7"
             : "OpenGL ES 3.2 Specification, Primitive Clipping";
+  // Of points of size 0; the centre of a larger one may lie outside the sides.
   static constexpr Promise promise{.ulps = kProjectUlps, .watertight = true};
 
   // out: no vertex, or the centre, divided.
@@ -55,14 +56,14 @@ struct PointClipper {
                             const PointSize<T>& size, NdcPolygon<T, K>& out) const {
     out.clear();
     const ClipVertex<T, K>& v = point[0];
-    const Outcode code = summarize_outcodes(volume, point, [&](std::size_t) {
-                           return clip_outcode(volume.depth, v.position);
-                         }).any;
+    const Outcode code =
+        (clip_outcode(volume.depth, v.position) | clip_distance_outcode(volume, v.attributes)) &
+        planes_of(volume);
     if (!is_kept(code, v.position, size)) return;
-    // Inside the sides w >= |x|, but depth may have no bound, and w = 0 is the eye itself.
+    // Inside all planes only the eye itself, (0, 0, 0, 0), has w = 0; but depth may have no bound.
     if (!(T(0) < v.position[3]) || !has_finite_position(v)) return;
     out.push_back(to_ndc(v));
-    clear_if_not_finite(out);
+    clear_if_overflowed(out);
   }
 
   template <Scalar T, int K>
@@ -104,17 +105,6 @@ struct PointClipper {
   static constexpr bool touches(const T& x, const T& w, const T& half) {
     const T reach = w + half * w;
     return -reach <= x && x <= reach;
-  }
-
-  // With depths unclipped z / w may overflow, with a size x / w.
-  template <Scalar T, int K>
-  static constexpr void clear_if_not_finite(NdcPolygon<T, K>& out) {
-    for (int i = 0; i < 3; ++i) {
-      if (!is_finite(out[0].position[i])) {
-        out.clear();
-        return;
-      }
-    }
   }
 };
 

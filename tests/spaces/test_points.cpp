@@ -76,7 +76,7 @@ TEST_CASE("points: of size 0, what is inside comes out divided, the rest does no
         NdcPolygon<Exact, K> out;
         C{}(volume, point, out);
         REQUIRE(out.size() == (is_inside(volume, point[0]) ? 1 : 0));
-        if (!out.empty()) CHECK(same<Exact>(out[0], to_ndc(point[0])));
+        if (!out.empty()) CHECK(same(out[0], to_ndc(point[0])));
       });
     }
   }
@@ -93,7 +93,7 @@ TEST_CASE("points: view space gives what its projection gives") {
       C{}(projection, view, from_view);
       C{}(projection.volume, to_clip(projection, view), from_clip);
       REQUIRE(from_view.size() == from_clip.size());
-      if (!from_view.empty()) CHECK(same<T>(from_view[0], from_clip[0]));
+      if (!from_view.empty()) CHECK(same(from_view[0], from_clip[0]));
     });
   }
 }

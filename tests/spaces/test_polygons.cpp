@@ -170,7 +170,7 @@ TEST_CASE("polygons: view space gives what its projection gives") {
     const auto a = clip(projection, view);
     const auto b = clip_projected(projection.volume, projected);
     REQUIRE(a.size() == b.size());
-    for (std::size_t i = 0; i < a.size(); ++i) CHECK(same<float>(a[i], b[i]));
+    for (std::size_t i = 0; i < a.size(); ++i) CHECK(same(a[i], b[i]));
   }
 }
 

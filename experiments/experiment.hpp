@@ -43,6 +43,7 @@ std::span<const Experiment> all_experiments();
 void run_accuracy(const ExperimentContext& context);
 void run_budget(const ExperimentContext& context);
 void run_cost(const ExperimentContext& context);
+void run_hard_cases(const ExperimentContext& context);
 void run_pictures(const ExperimentContext& context);
 
 }  // namespace clipscope::experiments

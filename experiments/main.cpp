@@ -61,6 +61,7 @@ int main(int argc, char* argv[]) {
   add_clip_command(app, action);
   add_explain_command(app, action);
   add_render_command(app, action);
+  add_sweep_command(app, action);
   add_list_command(app, action);
   try {
     app.parse(argc, argv);

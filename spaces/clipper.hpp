@@ -33,7 +33,8 @@ namespace clipscope {
 // where u is the scalar's unit roundoff, M the largest sum of magnitudes of the terms that make up a
 // clip-space coordinate of the triangle's vertices, and amplification is 1 or, for methods that cut
 // after the divide, w_max / w_min over the triangle (after its near cut where there is one). Exact
-// scalars have u = 0: there the promise is the exact answer.
+// scalars have u = 0: there the promise is the exact answer. It speaks of triangles whose visible part
+// keeps w above that error (all that a near plane lets through) and of numbers that do not overflow.
 // `clipscope verify` checks a promise on every triangle, and the tests try to break it.
 struct Promise {
   // Which finite triangles the error bound speaks of.

@@ -13,6 +13,7 @@ using Action = std::function<int()>;
 
 void add_list_command(CLI::App& app, Action& action);
 void add_run_command(CLI::App& app, Action& action);
+void add_sweep_command(CLI::App& app, Action& action);
 void add_compare_command(CLI::App& app, Action& action);
 void add_verify_command(CLI::App& app, Action& action);
 void add_clip_command(CLI::App& app, Action& action);

@@ -4,11 +4,18 @@
 #include <string>
 
 namespace clipscope::experiments {
+namespace {
+
+// Scenes are in view space, which every clipper takes.
+constexpr int kTriangleOutcomes = static_cast<int>(Outcome::not_applicable);
+
+}  // namespace
 
 std::vector<Column> accuracy_columns() {
   std::vector<Column> columns = {{"clipper", "clipper"}, {"scalar", "scalar"}};
-  for (const std::string_view name : kOutcomeNames) {
-    columns.push_back({std::string(name), std::string(name)});
+  for (int i = 0; i < kTriangleOutcomes; ++i) {
+    const std::string name(kOutcomeNames[static_cast<std::size_t>(i)]);
+    columns.push_back({name, name});
   }
   columns.insert(columns.end(), {{"median_px", "median px"},
                                  {"max_px", "max px"},
@@ -22,7 +29,9 @@ std::vector<Column> accuracy_columns() {
 std::vector<Cell> accuracy_cells(const AnyContestant& contestant, const AccuracyTally& tally) {
   std::vector<Cell> cells = {std::string(clipper_name(contestant)),
                              std::string(scalar_name(contestant))};
-  for (const std::int64_t count : tally.outcomes) cells.emplace_back(count);
+  for (int i = 0; i < kTriangleOutcomes; ++i) {
+    cells.emplace_back(tally.outcomes[static_cast<std::size_t>(i)]);
+  }
   for (const LogHistogram* errors : {&tally.position_px, &tally.position_ulp, &tally.attribute}) {
     if (errors->count() == 0) {
       cells.insert(cells.end(), 2, std::monostate());

@@ -57,13 +57,13 @@ Triangle<S, T, K> triangle_cast(const Triangle<S, float, K>& triangle) {
   return result;
 }
 
-template <class T>
-std::vector<ViewTriangle<T, kSceneAttributes>> triangles_cast(
-    std::span<const SceneTriangle> triangles) {
-  std::vector<ViewTriangle<T, kSceneAttributes>> result;
+// Triangles: a vector or a span of triangles in float.
+template <class T, class Triangles>
+auto triangles_cast(const Triangles& triangles) {
+  std::vector<decltype(triangle_cast<T>(*triangles.begin()))> result;
   result.reserve(triangles.size());
-  for (const SceneTriangle& triangle : triangles) {
-    result.push_back(triangle_cast<T, Space::view, kSceneAttributes>(triangle));
+  for (const auto& triangle : triangles) {
+    result.push_back(triangle_cast<T>(triangle));
   }
   return result;
 }

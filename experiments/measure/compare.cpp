@@ -13,10 +13,29 @@ namespace {
 using reference::ExactVertex;
 using reference::Fraction;
 
+// Whether x, y, z and the attributes are finite. 1/w may overflow: where the exact one does, too, that is
+// right.
+template <class T, int K>
+bool is_usable(NdcVertex<T, K> v) {
+  if (is_nan(v.position[3])) return false;
+  v.position[3] = T(1);
+  return is_finite(v);
+}
+
+// The error of an infinite value: none if the exact one rounds to it.
+template <class T>
+double overflow_error(const Fraction& exact) {
+  const bool overflows = ScalarTraits<T>::precision == 24
+                             ? std::isinf(reference::round_to<float>(exact))
+                             : std::isinf(reference::round_to<double>(exact));
+  return overflows ? 0 : std::numeric_limits<double>::infinity();
+}
+
 // value - exact. The difference to the approximation, itself good to 2^-50, is good enough unless most
 // of it cancels.
 template <class T>
 double coordinate_error(const T& value, const Fraction& exact, double approximation) {
+  if (!is_finite(value)) return overflow_error<T>(exact);
   if constexpr (ScalarTraits<T>::precision > 0 && ScalarTraits<T>::precision <= 53) {
     const double difference = nearest_double(value) - approximation;
     if (std::abs(difference) > 0x1p-30 * std::abs(approximation)) {
@@ -177,7 +196,7 @@ template <class T, int K>
 Comparison compare(std::span<const NdcVertex<T, K>> polygon, const TruthPolygon& truth) {
   Comparison result;
   result.visible = truth.is_visible() || !polygon.empty();
-  if (!std::all_of(polygon.begin(), polygon.end(), is_finite<T, K>)) {
+  if (!std::all_of(polygon.begin(), polygon.end(), is_usable<T, K>)) {
     result.outcome = Outcome::not_finite;
     return result;
   }

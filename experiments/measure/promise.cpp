@@ -13,13 +13,38 @@
 #include "experiments/scenes/scene.hpp"
 
 namespace clipscope::experiments {
+
+// The triangle's vertices in clip space.
+using RoundedCorners = std::array<std::array<double, 4>, 3>;
+
+struct Corners {
+  std::array<std::array<Exact, 4>, 3> exact;
+  RoundedCorners rounded;
+  bool divisible = true;  // no w is 0
+};
+
+// The range of w over the part of the triangle in front of the near plane.
+struct WRange {
+  double smallest = std::numeric_limits<double>::infinity();
+  double largest = 0;
+  bool in_front = true;  // all of the triangle is
+};
+
+// What a check works on before any distance is computed. magnitude: M; unit: of the promise.
+struct PromiseChecker::Setting {
+  Corners corners;
+  WRange w = {};
+  double magnitude = 0, unit = 0, tolerance = 0;
+};
+
 namespace {
 
 using reference::ExactPolygon;
 using reference::ExactVertex;
 using reference::InputTriangle;
 
-// The number type that distances are computed in.
+// Distances are computed in double-double where that is much finer than T; what is found to be broken
+// then is computed again in exact rationals, which have the last word.
 template <class T>
 using DistanceNumber =
     std::conditional_t<(ScalarTraits<T>::precision > 0 && ScalarTraits<T>::precision <= 53),
@@ -36,33 +61,38 @@ N number(const Exact& x) {
   }
 }
 
-// Signed distances of a lifted point to the planes of the volume; the smallest.
+// Signed distances of a lifted point to the planes of the volume; the smallest. Clip distances count
+// as far as the point has attributes.
 template <class N>
-N least_plane_distance(DepthRange depth, const Lifted<N>& p) {
+N least_plane_distance(const ClipVolume& volume, const Lifted<N>& p) {
   const N& w = p[3];
   N least = w - p[0];
-  const N low_z = depth == DepthRange::minus_one_to_one ? N(w + p[2]) : p[2];
-  for (const N& d : {N(w + p[0]), N(w - p[1]), N(w + p[1]), N(w - p[2]), low_z}) {
+  const auto note = [&](const N& d) {
     if (d < least) least = d;
+  };
+  for (const N& d : {N(w + p[0]), N(w - p[1]), N(w + p[1])}) note(d);
+  if (!volume.depth_clamp) {
+    note(N(w - p[2]));
+    note(volume.depth == DepthRange::minus_one_to_one ? N(w + p[2]) : p[2]);
   }
+  const std::size_t planes = 4 + static_cast<std::size_t>(volume.clip_distances);
+  for (std::size_t i = 4; i < std::min(planes, p.size()); ++i) note(p[i]);
   return least;
 }
 
-// Everything that one check works on.
-template <class T, int K>
+// Everything that one check works on; `polygon` is filled when it is known that it can be lifted.
+template <class N>
 struct Case {
-  using N = DistanceNumber<T>;
-  std::vector<Lifted<N>> input;    // the triangle
-  std::vector<Lifted<N>> polygon;  // the clipper's answer
-  double unit = 0;                 // u M amplification
+  std::vector<Lifted<N>> input = {};    // the triangle
+  std::vector<Lifted<N>> polygon = {};  // the clipper's answer
+  double unit = 0;
   double tolerance = 0;
   Exact attribute_scale = Exact(0);
   int attribute_count = 0;  // those that the promise speaks of
 };
 
-template <class T, int K>
-Lifted<DistanceNumber<T>> lift(const NdcVertex<T, K>& v, const Case<T, K>& c) {
-  using N = DistanceNumber<T>;
+template <class N, class T, int K>
+Lifted<N> lift(const NdcVertex<T, K>& v, const Case<N>& c) {
   Lifted<N> p;
   const N w = N(1) / number<N>(to_exact(v.position[3]));
   for (int i = 0; i < 3; ++i) {
@@ -91,11 +121,38 @@ Lifted<N> lift_exact(const ExactVertex& v, const Exact& attribute_scale, int att
   return p;
 }
 
+// Whether all vertices are points of clip space: finite, and 1/w not 0.
 template <class T, int K>
 bool is_liftable(std::span<const NdcVertex<T, K>> polygon) {
   return std::all_of(polygon.begin(), polygon.end(), [](const NdcVertex<T, K>& v) {
     return is_finite(v) && !(v.position[3] == T(0));
   });
+}
+
+// Whether some 1/w is infinite and everything else is finite.
+template <class T, int K>
+bool has_overflowed_inv_w(std::span<const NdcVertex<T, K>> polygon) {
+  bool overflowed = false;
+  for (NdcVertex<T, K> v : polygon) {
+    overflowed = overflowed || (!is_finite(v.position[3]) && !is_nan(v.position[3]));
+    v.position[3] = T(1);
+    if (!is_finite(v)) return false;
+  }
+  return overflowed;
+}
+
+// The largest finite number of the scalar and the smallest positive one; of exact types neither counts.
+template <class T>
+double largest_number() {
+  return ScalarTraits<T>::precision == 24 ? double{std::numeric_limits<float>::max()}
+                                          : std::numeric_limits<double>::max();
+}
+
+template <class T>
+double smallest_number() {
+  if (ScalarTraits<T>::precision == 0) return 0;
+  return ScalarTraits<T>::precision == 24 ? double{std::numeric_limits<float>::denorm_min()}
+                                          : std::numeric_limits<double>::denorm_min();
 }
 
 double largest_attribute(const InputTriangle& triangle) {
@@ -109,8 +166,8 @@ double largest_attribute(const InputTriangle& triangle) {
 }
 
 // Notes a squared distance; breaks the promise where it is beyond the tolerance.
-template <class T, int K, class N>
-void judge(const N& squared, const Case<T, K>& c, std::string_view what, PromiseCheck& check) {
+template <class N>
+void judge(const N& squared, const Case<N>& c, std::string_view what, PromiseCheck& check) {
   const N bound = N(c.tolerance) * N(c.tolerance);
   const double distance = std::sqrt(nearest_double(squared));
   if (c.unit > 0) {
@@ -125,18 +182,16 @@ void judge(const N& squared, const Case<T, K>& c, std::string_view what, Promise
   }
 }
 
-template <class T, int K>
-void judge_containment(DepthRange depth, const Case<T, K>& c, PromiseCheck& check) {
-  using N = DistanceNumber<T>;
+template <class N>
+void judge_containment(const ClipVolume& volume, const Case<N>& c, PromiseCheck& check) {
   for (const Lifted<N>& p : c.polygon) {
-    const N least = least_plane_distance(depth, p);
+    const N least = least_plane_distance(volume, p);
     if (least < N(0)) judge(N(least * least), c, "a vertex lies outside the volume", check);
   }
 }
 
-template <class T, int K>
-void judge_vertices(const Case<T, K>& c, PromiseCheck& check) {
-  using N = DistanceNumber<T>;
+template <class N>
+void judge_vertices(const Case<N>& c, PromiseCheck& check) {
   for (const Lifted<N>& p : c.polygon) {
     const N d = squared_distance_to_triangle(p, c.input[0], c.input[1], c.input[2]);
     judge(d, c, "a vertex lies off the triangle", check);
@@ -144,8 +199,8 @@ void judge_vertices(const Case<T, K>& c, PromiseCheck& check) {
 }
 
 // The clipper kept the triangle whole: its vertices must be the triangle's.
-template <class T, int K>
-void judge_whole(const Case<T, K>& c, PromiseCheck& check) {
+template <class N>
+void judge_whole(const Case<N>& c, PromiseCheck& check) {
   if (c.polygon.size() != 3) {
     check = {PromiseVerdict::broken, 0, fmt::format("{} vertices, promised 3", c.polygon.size())};
     return;
@@ -156,11 +211,13 @@ void judge_whole(const Case<T, K>& c, PromiseCheck& check) {
   }
 }
 
-template <class T, int K>
-void judge_coverage(const reference::Truth& truth, const InputTriangle& triangle,
-                    const Case<T, K>& c, PromiseCheck& check) {
-  using N = DistanceNumber<T>;
-  const ExactPolygon deep = reference::clip(truth.inset(c.tolerance), triangle);
+template <class N>
+void judge_coverage(const reference::Truth& truth, const InputTriangle& triangle, const Case<N>& c,
+                    PromiseCheck& check) {
+  const double attribute_tolerance =
+      c.attribute_scale == Exact(0) ? 0 : c.tolerance / CGAL::to_double(c.attribute_scale);
+  const ExactPolygon deep =
+      reference::clip(truth.inset(c.tolerance, attribute_tolerance), triangle);
   if (deep.vertices.size() < 3) return;
   if (c.polygon.size() < 3) {
     check.verdict = PromiseVerdict::broken;
@@ -174,15 +231,6 @@ void judge_coverage(const reference::Truth& truth, const InputTriangle& triangle
   }
 }
 
-// The triangle's vertices in clip space.
-using RoundedCorners = std::array<std::array<double, 4>, 3>;
-
-struct Corners {
-  std::array<std::array<Exact, 4>, 3> exact;
-  RoundedCorners rounded;
-  bool divisible = true;  // no w is 0
-};
-
 Corners corners_of(const reference::Truth& truth, const InputTriangle& triangle) {
   Corners corners;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -193,13 +241,6 @@ Corners corners_of(const reference::Truth& truth, const InputTriangle& triangle)
   }
   return corners;
 }
-
-// The range of w over the part of the triangle in front of the near plane.
-struct WRange {
-  double smallest = std::numeric_limits<double>::infinity();
-  double largest = 0;
-  bool in_front = true;  // all of the triangle is
-};
 
 WRange w_in_front(DepthRange depth, const RoundedCorners& corners) {
   const auto near_distance = [&](const std::array<double, 4>& p) {
@@ -225,6 +266,48 @@ WRange w_in_front(DepthRange depth, const RoundedCorners& corners) {
   return range;
 }
 
+// The smallest w of the triangle's part in the volume, the eye (0, 0, 0, 0) included, in doubles. Nothing
+// is known of clip distances here: they can only make the part smaller.
+double smallest_visible_w(const ClipVolume& volume, const RoundedCorners& corners) {
+  using Point = std::array<double, 4>;
+  std::vector<Point> polygon(corners.begin(), corners.end());
+  const auto keep = [&](auto&& distance) {
+    std::vector<Point> rest;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Point& a = polygon[i];
+      const Point& b = polygon[(i + 1) % polygon.size()];
+      const double d_a = distance(a), d_b = distance(b);
+      if (d_a >= 0) rest.push_back(a);
+      if ((d_a < 0) != (d_b < 0)) {
+        Point p;
+        for (std::size_t c = 0; c < 4; ++c) p[c] = (d_b * a[c] - d_a * b[c]) / (d_b - d_a);
+        rest.push_back(p);
+      }
+    }
+    polygon = rest;
+  };
+  for (std::size_t c = 0; c < 2; ++c) {
+    keep([c](const Point& p) { return p[3] + p[c]; });
+    keep([c](const Point& p) { return p[3] - p[c]; });
+  }
+  if (!volume.depth_clamp) {
+    const bool gl = volume.depth == DepthRange::minus_one_to_one;
+    keep([](const Point& p) { return p[3] - p[2]; });
+    keep([gl](const Point& p) { return gl ? p[3] + p[2] : p[2]; });
+  }
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Point& p : polygon) smallest = std::min(smallest, p[3]);
+  return smallest;
+}
+
+// Whether a vertex leaves the format when it is divided.
+bool overflows_divided(const RoundedCorners& corners, double largest) {
+  return std::any_of(corners.begin(), corners.end(), [&](const std::array<double, 4>& p) {
+    const double reach = largest * std::abs(p[3]);
+    return std::abs(p[0]) >= reach || std::abs(p[1]) >= reach || std::abs(p[2]) >= reach;
+  });
+}
+
 // divisible: no vertex has w = 0.
 bool is_in_domain(Promise::Domain domain, const WRange& w, bool divisible) {
   switch (domain) {
@@ -236,41 +319,37 @@ bool is_in_domain(Promise::Domain domain, const WRange& w, bool divisible) {
   return true;
 }
 
-template <class T, int K>
-Case<T, K> make_case(const Promise& promise, const InputTriangle& triangle, const Corners& corners,
-                     const WRange& w, double magnitude, std::span<const NdcVertex<T, K>> polygon) {
-  using N = DistanceNumber<T>;
-  Case<T, K> c;
-  c.unit = unit_roundoff<T>() * magnitude;
-  if (promise.amplification == Promise::Amplification::w_ratio && w.largest > 0) {
-    c.unit *= w.largest / w.smallest;
-  }
-  c.tolerance = promise.ulps * c.unit;
+template <class N>
+Case<N> make_case(const Promise& promise, const InputTriangle& triangle,
+                  const PromiseChecker::Setting& s) {
+  Case<N> c{.unit = s.unit, .tolerance = s.tolerance};
   c.attribute_count = promise.attributes ? triangle.attribute_count : 0;
   const double attribute = largest_attribute(triangle);
-  c.attribute_scale = attribute > 0 ? Exact(magnitude / attribute) : Exact(0);
+  c.attribute_scale = attribute > 0 ? Exact(Exact(s.magnitude) / Exact(attribute)) : Exact(0);
   for (std::size_t i = 0; i < 3; ++i) {
     Lifted<N>& p = c.input.emplace_back();
-    for (const Exact& x : corners.exact[i]) p.push_back(number<N>(x));
+    for (const Exact& x : s.corners.exact[i]) p.push_back(number<N>(x));
     for (int k = 0; k < c.attribute_count; ++k) {
       const Exact a(triangle.vertices[i].attributes[static_cast<std::size_t>(k)]);
       p.push_back(number<N>(Exact(a * c.attribute_scale)));
     }
   }
-  for (const NdcVertex<T, K>& v : polygon) c.polygon.push_back(lift(v, c));
   return c;
 }
 
 }  // namespace
 
 PromiseChecker::PromiseChecker(const Frustum<double>& frustum)
-    : truth_(reference::Truth::of_frustum(frustum)),
+    : PromiseChecker(frustum, ClipVolume{.depth = frustum.depth}) {}
+
+PromiseChecker::PromiseChecker(const Frustum<double>& frustum, const ClipVolume& volume)
+    : truth_(reference::Truth::of_frustum(frustum, volume)),
       projection_(frustum),
-      depth_(frustum.depth),
+      volume_(volume),
       view_input_(true) {}
 
-PromiseChecker::PromiseChecker(DepthRange depth)
-    : truth_(reference::Truth::of_clip(depth)), depth_(depth), view_input_(false) {}
+PromiseChecker::PromiseChecker(const ClipVolume& volume)
+    : truth_(reference::Truth::of_clip(volume)), volume_(volume), view_input_(false) {}
 
 // M of one vertex: the largest sum of magnitudes of the terms that make up a clip coordinate.
 double PromiseChecker::coordinate_magnitude(const reference::InputVertex& vertex) const {
@@ -285,25 +364,47 @@ double PromiseChecker::coordinate_magnitude(const reference::InputVertex& vertex
                    terms(projection_.z, 0.0), terms(projection_.w, 0.0)});
 }
 
+// Bounds what the terms of plane distances in view space come to, in front of their sums.
+double PromiseChecker::largest_intermediate(const reference::InputVertex& vertex) const {
+  const double m = coordinate_magnitude(vertex);
+  if (!view_input_) return m;
+  const Frustum<double>& f = projection_.frustum;
+  const double length = std::max({std::abs(f.left), std::abs(f.right), std::abs(f.bottom),
+                                  std::abs(f.top), std::abs(f.near), 1.0});
+  const auto& p = vertex.position;
+  return std::max(m, length * std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}));
+}
+
+// Whether the promise speaks of the triangle at all: its numbers stay in the format, and the tolerance
+// leaves something to promise.
 template <class T, int K>
-PromiseCheck PromiseChecker::check(const Promise& promise, const InputTriangle& triangle,
-                                   std::span<const NdcVertex<T, K>> polygon) const {
-  const Corners corners = corners_of(truth_, triangle);
-  const WRange w = w_in_front(depth_, corners.rounded);
-  if (!is_in_domain(promise.domain, w, corners.divisible)) {
-    return {PromiseVerdict::outside_domain, 0, ""};
-  }
-  if (!is_liftable(polygon)) {
-    return {PromiseVerdict::broken, std::numeric_limits<double>::infinity(),
-            "a coordinate of the result is not finite, or 1/w is 0"};
-  }
-  double magnitude = 0;
+bool PromiseChecker::is_spoken_of(const Promise& promise, const InputTriangle& triangle,
+                                  const Setting& s,
+                                  std::span<const NdcVertex<T, K>> polygon) const {
+  constexpr double kHeadroom = 8;  // sums of a few terms
+  const double largest = largest_number<T>();
+  double intermediate = largest_attribute(triangle);
   for (const reference::InputVertex& v : triangle.vertices) {
-    magnitude = std::max(magnitude, coordinate_magnitude(v));
+    intermediate = std::max(intermediate, largest_intermediate(v));
   }
-  const Case<T, K> c = make_case(promise, triangle, corners, w, magnitude, polygon);
+  if (kHeadroom * intermediate > largest || has_overflowed_inv_w<T, K>(polygon)) return false;
+  if (!is_in_domain(promise.domain, s.w, s.corners.divisible)) return false;
+  if (promise.domain == Promise::Domain::all_or_nothing) {
+    return !overflows_divided(s.corners.rounded, largest);
+  }
+  const double smallest_w = smallest_visible_w(volume_, s.corners.rounded);
+  return s.tolerance < s.magnitude && smallest_w > 2 * s.tolerance && smallest_w * largest > 1;
+}
+
+// The distances that the promise bounds, in numbers of type N.
+template <class N, class T, int K>
+PromiseCheck PromiseChecker::check_distances(const Promise& promise, const InputTriangle& triangle,
+                                             const Setting& s,
+                                             std::span<const NdcVertex<T, K>> polygon) const {
+  Case<N> c = make_case<N>(promise, triangle, s);
+  for (const NdcVertex<T, K>& v : polygon) c.polygon.push_back(lift(v, c));
   PromiseCheck check;
-  if (promise.contained) judge_containment(depth_, c, check);
+  if (promise.contained) judge_containment(volume_, c, check);
   if (promise.domain != Promise::Domain::all_or_nothing) {
     judge_vertices(c, check);
   } else if (!polygon.empty()) {
@@ -313,17 +414,52 @@ PromiseCheck PromiseChecker::check(const Promise& promise, const InputTriangle& 
   return check;
 }
 
-template <class T>
-using SceneSpan = std::span<const NdcVertex<T, kSceneAttributes>>;
+template <class T, int K>
+PromiseCheck PromiseChecker::check(const Promise& promise, const InputTriangle& triangle,
+                                   std::span<const NdcVertex<T, K>> polygon) const {
+  Setting s{.corners = corners_of(truth_, triangle)};
+  s.w = w_in_front(volume_.depth, s.corners.rounded);
+  for (const reference::InputVertex& v : triangle.vertices) {
+    s.magnitude = std::max(s.magnitude, coordinate_magnitude(v));
+  }
+  s.unit = unit_roundoff<T>() * s.magnitude + smallest_number<T>();
+  if (promise.amplification == Promise::Amplification::w_ratio && s.w.largest > 0) {
+    s.unit *= s.w.largest / s.w.smallest;
+  }
+  s.tolerance = promise.ulps * s.unit;
+  if (!is_spoken_of(promise, triangle, s, polygon)) {
+    return {PromiseVerdict::outside_domain, 0, ""};
+  }
+  if (!is_liftable(polygon)) {
+    return {PromiseVerdict::broken, std::numeric_limits<double>::infinity(),
+            "a coordinate of the result is not finite, or 1/w is 0"};
+  }
+  const auto check = check_distances<DistanceNumber<T>>(promise, triangle, s, polygon);
+  if (check.verdict == PromiseVerdict::kept) return check;
+  return check_distances<Exact>(promise, triangle, s, polygon);
+}
+
+template <class T, int K>
+using NdcSpan = std::span<const NdcVertex<T, K>>;
 template PromiseCheck PromiseChecker::check(const Promise&, const InputTriangle&,
-                                            SceneSpan<float>) const;
+                                            NdcSpan<float, kSceneAttributes>) const;
 template PromiseCheck PromiseChecker::check(const Promise&, const InputTriangle&,
-                                            SceneSpan<double>) const;
+                                            NdcSpan<float, kRunTime>) const;
 template PromiseCheck PromiseChecker::check(const Promise&, const InputTriangle&,
-                                            SceneSpan<dd_real>) const;
+                                            NdcSpan<double, kSceneAttributes>) const;
 template PromiseCheck PromiseChecker::check(const Promise&, const InputTriangle&,
-                                            SceneSpan<Exact>) const;
+                                            NdcSpan<double, kRunTime>) const;
 template PromiseCheck PromiseChecker::check(const Promise&, const InputTriangle&,
-                                            SceneSpan<Counted>) const;
+                                            NdcSpan<dd_real, kSceneAttributes>) const;
+template PromiseCheck PromiseChecker::check(const Promise&, const InputTriangle&,
+                                            NdcSpan<dd_real, kRunTime>) const;
+template PromiseCheck PromiseChecker::check(const Promise&, const InputTriangle&,
+                                            NdcSpan<Exact, kSceneAttributes>) const;
+template PromiseCheck PromiseChecker::check(const Promise&, const InputTriangle&,
+                                            NdcSpan<Exact, kRunTime>) const;
+template PromiseCheck PromiseChecker::check(const Promise&, const InputTriangle&,
+                                            NdcSpan<Counted, kSceneAttributes>) const;
+template PromiseCheck PromiseChecker::check(const Promise&, const InputTriangle&,
+                                            NdcSpan<Counted, kRunTime>) const;
 
 }  // namespace clipscope::experiments

@@ -4,7 +4,7 @@
 //
 // Everything is measured in clip space, attributes as further coordinates (scaled so that the
 // largest is as large as M): a polygon vertex (x, y, z, 1/w) is the point (x, y, z, 1) w. With
-// tolerance = ulps * u * M * amplification the promise holds if
+// tolerance = ulps * (u * M + the smallest positive number) * amplification the promise holds if
 //   contained  no vertex is farther than the tolerance outside a plane,
 //   faithful   no vertex is farther than the tolerance from the input triangle,
 //   covers     no vertex of the exact polygon in the volume made smaller by the tolerance is farther
@@ -23,6 +23,9 @@
 
 namespace clipscope::experiments {
 
+// outside_domain also where the numbers leave the format (intermediate results overflow, or 1/w does and
+// the answer is no point of clip space), and where the visible part comes so near to the eye that its w is
+// within the tolerance of 0: no bound in clip space says anything about NDC there.
 enum class PromiseVerdict { kept, broken, outside_domain };
 
 struct PromiseCheck {
@@ -34,11 +37,12 @@ struct PromiseCheck {
 };
 
 // What a promise is checked against: the volume in exact numbers, and the same volume in doubles for
-// magnitudes. For view-space input give the frustum, for clip-space input the depth range.
+// magnitudes. For view-space input give the frustum, for clip-space input the volume alone.
 class PromiseChecker {
  public:
   explicit PromiseChecker(const Frustum<double>& frustum);
-  explicit PromiseChecker(DepthRange depth);
+  PromiseChecker(const Frustum<double>& frustum, const ClipVolume& volume);
+  explicit PromiseChecker(const ClipVolume& volume);
 
   template <class T, int K>
   PromiseCheck check(const Promise& promise, const reference::InputTriangle& triangle,
@@ -46,12 +50,22 @@ class PromiseChecker {
 
   const reference::Truth& truth() const { return truth_; }
 
+  struct Setting;
+
  private:
+  template <class T, int K>
+  bool is_spoken_of(const Promise& promise, const reference::InputTriangle& triangle,
+                    const Setting& setting, std::span<const NdcVertex<T, K>> polygon) const;
+  template <class N, class T, int K>
+  PromiseCheck check_distances(const Promise& promise, const reference::InputTriangle& triangle,
+                               const Setting& setting,
+                               std::span<const NdcVertex<T, K>> polygon) const;
   double coordinate_magnitude(const reference::InputVertex& vertex) const;
+  double largest_intermediate(const reference::InputVertex& vertex) const;
 
   reference::Truth truth_;
   Projection<double> projection_;
-  DepthRange depth_;
+  ClipVolume volume_;
   bool view_input_;
 };
 

@@ -21,8 +21,10 @@
 // the bits of a vertex on two planes when the input is rotated (a sum of three is rounded in order).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <utility>
 
 #include "spaces/clipper.hpp"
@@ -117,7 +119,21 @@ struct DistanceMatrix {
     return r;
   }
 
-  // A row of the matrix, scaled by a power of two so that determinants neither overflow nor vanish.
+  // Multiplies by the power of two that makes the largest entry about 1: lines and points mean the same
+  // then, and their products neither overflow nor vanish.
+  template <Scalar T>
+  static constexpr void scale_to_one(std::array<T, 3>& v) {
+    if constexpr (std::floating_point<T>) {
+      constexpr int kLargestExponent = std::numeric_limits<T>::max_exponent - 2;
+      const T largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+      if (!(T(0) < largest)) return;
+      const int exponent = std::clamp(-std::ilogb(largest), -kLargestExponent, kLargestExponent);
+      const T factor = std::ldexp(T(1), exponent);
+      for (T& x : v) x *= factor;
+    }
+  }
+
+  // A row of the matrix.
   template <Scalar T, Space S, int K>
   static constexpr Line<T> row(DepthRange depth, Plane plane,
                                const std::array<Vec4<T>, 3>& positions,
@@ -126,11 +142,7 @@ struct DistanceMatrix {
     for (std::size_t i = 0; i < 3; ++i) {
       r.of[i] = signed_distance(depth, plane, ClipVertex<T, K>{positions[i], source[i].attributes});
     }
-    if constexpr (std::floating_point<T>) {
-      const T largest = std::max({std::abs(r.of[0]), std::abs(r.of[1]), std::abs(r.of[2])});
-      const int exponent = -std::ilogb(largest);
-      for (T& d : r.of) d = std::ldexp(d, exponent);
-    }
+    scale_to_one(r.of);
     return r;
   }
 
@@ -141,9 +153,11 @@ struct DistanceMatrix {
 
   template <Scalar T>
   static constexpr std::array<T, 3> cross(const std::array<T, 3>& a, const std::array<T, 3>& b) {
-    return {sum_of_products(a[1], b[2], T(-a[2]), b[1]),
-            sum_of_products(a[2], b[0], T(-a[0]), b[2]),
-            sum_of_products(a[0], b[1], T(-a[1]), b[0])};
+    std::array<T, 3> r = {sum_of_products(a[1], b[2], T(-a[2]), b[1]),
+                          sum_of_products(a[2], b[0], T(-a[0]), b[2]),
+                          sum_of_products(a[0], b[1], T(-a[1]), b[0])};
+    scale_to_one(r);
+    return r;
   }
 
   // The corners with line . lambda >= 0 and the meetings of the polygon's lines with this one.

@@ -47,22 +47,17 @@ constexpr NdcVertex<T, K> interpolate_perspective(const NdcVertex<T, K>& inside,
   return r;
 }
 
-// Cuts a polygon that was divided already by the planes given, in place. For affine attributes the clip
-// distances are affine too.
+// Cuts a polygon that was divided already by the planes given, in place.
 template <AttributeInterpolation kAttributes, Scalar T, int K>
 constexpr void cut_planes(DepthRange depth, Outcode planes, NdcPolygon<T, K>& polygon) {
   NdcPolygon<T, K> scratch;
   NdcPolygon<T, K>* rest = nullptr;
+  const auto distance = [&](Plane plane, const NdcVertex<T, K>& v) {
+    return signed_distance(depth, plane, v);
+  };
   if constexpr (kAttributes == AttributeInterpolation::affine) {
-    const auto distance = [&](Plane plane, const NdcVertex<T, K>& v) {
-      if (is_clip_distance(plane)) return v.attributes[clip_distance_index(plane)];
-      return signed_distance(depth, plane, v);
-    };
     rest = &cut_by_planes(polygon, scratch, planes, kAllPlanes, distance);
   } else {
-    const auto distance = [&](Plane plane, const NdcVertex<T, K>& v) {
-      return signed_distance(depth, plane, v);
-    };
     rest = &cut_by_planes(polygon, scratch, planes, kAllPlanes, distance,
                           interpolate_perspective<T, K>);
   }
@@ -114,7 +109,8 @@ struct CvvSutherlandHodgman {
   static constexpr Promise promise{.domain = Promise::Domain::in_front,
                                    .attributes = !kAffine,
                                    .ulps = kChainUlps,
-                                   .amplification = Promise::Amplification::w_ratio};
+                                   .amplification = Promise::Amplification::w_ratio,
+                                   .clip_distances = !kAffine};
 
   template <Scalar T, int K>
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,

@@ -29,8 +29,9 @@ constexpr void divide_inside(const std::array<Vec4<T>, 3>& positions,
                              const Triangle<S, T, K>& source, NdcPolygon<T, K>& out) {
   out.clear();
   for (std::size_t i = 0; i < 3; ++i) {
+    const T& z = positions[i][2];  // with depth clamp it was not looked at
     const T& w = positions[i][3];
-    if (!(T(0) < w) || !is_finite(w)) {
+    if (!(T(0) < w) || !is_finite(w) || !is_finite(z)) {
       out.clear();
       return;
     }

@@ -316,6 +316,7 @@ TEST_CASE("promises: a clip distance cuts where it is negative, in every space")
 TEST_CASE("promises: eight clip distances at once, on their planes and one ulp outside") {
   constexpr int kEight = kMaxClipDistances;
   for_each_type(AllClippers{}, [&]<class C>() {
+    if (!C::promise.clip_distances) return;
     INFO(C::name);
     ViewTriangle<float, kEight> triangle{};
     triangle[0].position = {0, 0, -2};

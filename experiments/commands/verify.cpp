@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// clipscope verify: does a clipper keep its promise on every triangle?
+// clipscope verify: does a clipper keep its promise on every triangle of scenes, of the catalogue of hard
+// cases, or of both?
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <memory>
 #include <optional>
 
+#include "experiments/catalogue/catalogue.hpp"
+#include "experiments/catalogue/families.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/selection.hpp"
 #include "experiments/errors.hpp"
+#include "experiments/hard_cases/judge.hpp"
 #include "experiments/measure/batches.hpp"
+#include "experiments/measure/bit_promise.hpp"
 #include "experiments/measure/promise.hpp"
 #include "experiments/report/progress.hpp"
 #include "experiments/report/table.hpp"
@@ -19,6 +24,13 @@ namespace clipscope::experiments {
 namespace {
 
 constexpr std::size_t kChunk = 1024;  // triangles
+
+struct VerifyOptions {
+  Selection selection;
+  std::string scalar = "float";
+  bool catalogue = false;
+  std::optional<std::string> corpus;
+};
 
 struct Offender {
   PromiseCheck check;
@@ -74,10 +86,15 @@ void verify_chunk(const Contestant<T>& contestant, const PromiseChecker& checker
       sampled_view_triangles(scene, view, sample, first, count);
   PolygonStream<T, kSceneAttributes> polygons;
   contestant.view(projection_of<T>(view), triangles_cast<T>(triangles), polygons);
+  const Frustum<double> frustum = frustum_cast<double>(view.frustum);
+  const ClipVolume volume{.depth = frustum.depth};
   std::vector<PromiseCheck> checks(count);
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     checks[i] = checker.check<T, kSceneAttributes>(
         contestant.promise, reference::input_triangle(triangles[i]), polygons[i]);
+    break_by_bits(checks[i],
+                  broken_bits<T>(contestant, frustum, volume,
+                                 with_run_time_attributes(triangle_cast<T>(triangles[i]))));
   });
   for (std::size_t i = 0; i < count; ++i) {
     const PromiseCheck& check = checks[i];
@@ -112,6 +129,62 @@ VerifyResult verify_scene(const AnyContestant& contestant, const Scene& scene, s
           },
           contestant);
       progress.advance(count);
+    }
+  }
+  return result;
+}
+
+std::string hex_case(const HardCase& c) {
+  std::string text = c.space == Space::view ? hex_frustum(frustum_cast<float>(c.frustum)) + "\n   "
+                                            : "--space clip\n   ";
+  for (const reference::InputVertex& v : c.vertices) {
+    for (std::size_t i = 0; i < (c.space == Space::view ? 3 : 4); ++i) {
+      text += fmt::format(" {:a}", v.position[i]);
+    }
+    for (int k = 0; k < c.attribute_count; ++k) {
+      text += fmt::format(" {:a}", v.attributes[static_cast<std::size_t>(k)]);
+    }
+  }
+  return text;
+}
+
+std::string hex_answer(const CaseAnswer& answer) {
+  std::string text;
+  for (const std::array<double, 4>& p : answer.polygon) {
+    text += fmt::format("    {:a} {:a} {:a} {:a}\n", p[0], p[1], p[2], p[3]);
+  }
+  return text.empty() ? "    nothing\n" : text;
+}
+
+void verify_case(const CaseContestant& contestant, const HardCase& hard_case,
+                 VerifyResult& result) {
+  const PromiseCheck check = contestant.keeps_promise(hard_case);
+  ++result.triangles;
+  result.outside_domain += check.verdict == PromiseVerdict::outside_domain;
+  result.largest_ulps = std::max(result.largest_ulps, check.ulps);
+  if (check.verdict != PromiseVerdict::broken) return;
+  ++result.broken;
+  if (is_worse(check, result.worst)) {
+    result.worst =
+        Offender{check, "catalogue",         hard_case.name,
+                 0,     hex_case(hard_case), hex_answer(contestant.polygon_of(hard_case))};
+  }
+}
+
+// All triangles of the catalogue and of the families around them, in view space and clip space.
+VerifyResult verify_catalogue(const AnyContestant& any, const std::vector<HardCase>& catalogue) {
+  const std::vector<CaseContestant> contestants =
+      case_contestants(Primitive::triangle, clipper_name(any), {std::string(scalar_name(any))});
+  VerifyResult result;
+  Progress progress("verify the catalogue", catalogue.size());
+  for (const HardCase& original : catalogue) {
+    progress.advance();
+    if (original.primitive != Primitive::triangle) continue;
+    verify_case(contestants.front(), original, result);
+    for (auto&& variants : {family(original), special_values(original)}) {
+      for (const CaseVariant& variant : variants) {
+        if (is_finite(variant)) verify_case(contestants.front(), variant.hard_case, result);
+      }
     }
   }
   return result;
@@ -154,16 +227,26 @@ void print(const AnyContestant& contestant, const VerifyResult& result) {
   fmt::print("broken on {} triangles; the worst: scene {}, view {}, triangle {}\n  {}\n",
              result.broken, worst.scene, worst.view, worst.triangle, worst.check.reason);
   fmt::print(
-      "  input (three vertices: x y z and {} attributes):\n    {}\n  output (x y z 1/w, "
+      "  input (three vertices: coordinates, then attributes):\n    {}\n  output (x y z 1/w, "
       "attributes):\n{}",
-      kSceneAttributes, worst.input, worst.output);
+      worst.input, worst.output);
 }
 
-int verify(const Selection& selection, const std::string& scalar) {
-  const AnyContestant contestant = find_contestant(selection.clipper, scalar);
+int verify(const VerifyOptions& options) {
+  const Selection& selection = options.selection;
+  const AnyContestant contestant = find_contestant(selection.clipper, options.scalar);
   VerifyResult result;
-  for (const std::string& name : scene_names(selection)) {
-    merge(verify_scene(contestant, load_selected_scene(selection, name), selection.sample), result);
+  const bool cases = options.catalogue || options.corpus;
+  if (cases) {
+    merge(verify_catalogue(contestant,
+                           options.corpus ? load_catalogue(*options.corpus) : builtin_catalogue()),
+          result);
+  }
+  if (!cases || !selection.scenes.empty()) {
+    for (const std::string& name : scene_names(selection)) {
+      merge(verify_scene(contestant, load_selected_scene(selection, name), selection.sample),
+            result);
+    }
   }
   if (selection.json) {
     fmt::print("{}\n", to_json(contestant, result).dump(2));
@@ -176,22 +259,24 @@ int verify(const Selection& selection, const std::string& scalar) {
 }  // namespace
 
 void add_verify_command(CLI::App& app, Action& action) {
-  CLI::App* command =
-      app.add_subcommand("verify", "Check a clipper's promise on every triangle of the scenes");
+  CLI::App* command = app.add_subcommand(
+      "verify", "Check a clipper's promises on every triangle of scenes or of the hard cases");
   command->footer(
       "Exit code 0: the promise holds on every triangle; 1: it is broken, and the worst "
       "offender is\nprinted as hex floats. `clipscope list clippers` shows the promises.");
-  const auto selection = std::make_shared<Selection>();
-  const auto scalar = std::make_shared<std::string>("float");
-  command->add_option("--clipper", selection->clipper, "Name of a clipper")
+  const auto options = std::make_shared<VerifyOptions>();
+  command->add_option("--clipper", options->selection.clipper, "Name of a clipper")
       ->type_name("NAME")
       ->required();
-  command->add_option("--scalar", *scalar, "Scalar to compute in [float]");
-  add_scene_options(*command, *selection);
-  add_json_option(*command, *selection);
-  command->callback([&action, selection, scalar] {
-    action = [selection, scalar] { return verify(*selection, *scalar); };
-  });
+  command->add_option("--scalar", options->scalar, "Scalar to compute in [float]");
+  command->add_flag("--catalogue", options->catalogue,
+                    "The hard cases and their families, in view space and clip space, instead of "
+                    "scenes (or besides those named)");
+  command->add_option("--corpus", options->corpus, "The same with hard cases of your own")
+      ->type_name("FILE|DIR");
+  add_scene_options(*command, options->selection);
+  add_json_option(*command, options->selection);
+  command->callback([&action, options] { action = [options] { return verify(*options); }; });
 }
 
 }  // namespace clipscope::experiments

@@ -137,7 +137,8 @@ void add_families(const CaseSet& set, const std::vector<FamilyTally>& tallies, T
     const FamilyTally& t = tallies[c];
     table.add_row({to_string(set.primitive), set.contestants[c].clipper, set.contestants[c].scalar,
                    t.variants, t.failures, t.broken,
-                   set.primitive == Primitive::triangle ? Cell(t.largest_ulps) : Cell(), t.worst});
+                   set.primitive == Primitive::triangle ? Cell(t.largest_ulps) : Cell(), t.worst,
+                   t.offender});
   }
 }
 
@@ -199,7 +200,8 @@ void judge_all_families(const ExperimentContext& context, const std::vector<Hard
                   {"failures", "fails"},
                   {"promises_broken", "broken"},
                   {"largest_backward_error", "largest error"},
-                  {"worst", "on"}});
+                  {"worst", "on"},
+                  {"offender", "first broken promise"}});
   Table policy("hard_cases_policy", "NaN and infinity in positions: nothing may come out",
                {{"primitive", "primitive"},
                 {"clipper", "clipper"},

@@ -5,6 +5,7 @@
 
 #include "experiments/contestants/contestant.hpp"
 #include "experiments/errors.hpp"
+#include "experiments/measure/bit_promise.hpp"
 #include "spaces/homogeneous/polygon.hpp"
 
 namespace clipscope::experiments {
@@ -111,8 +112,15 @@ PromiseCheck check_promise(const Contestant<T>& contestant, const HardCase& hard
                                      ? PromiseChecker(hard_case.frustum, hard_case.volume)
                                      : PromiseChecker(hard_case.volume);
   const Answer<T> answer = clip_case(contestant, hard_case);
-  return checker.check<T, kRunTime>(contestant.promise, triangle_of(hard_case),
-                                    std::span<const NdcVertex<T, kRunTime>>(answer));
+  PromiseCheck check = checker.check<T, kRunTime>(contestant.promise, triangle_of(hard_case),
+                                                  std::span<const NdcVertex<T, kRunTime>>(answer));
+  const std::string broken =
+      hard_case.space == Space::view
+          ? broken_bits<T>(contestant, hard_case.frustum, hard_case.volume,
+                           simplex_of<Space::view, T, 3>(hard_case))
+          : broken_bits<T>(contestant, hard_case.volume, simplex_of<Space::clip, T, 3>(hard_case));
+  break_by_bits(check, broken);
+  return check;
 }
 
 template <class T, std::size_t N>

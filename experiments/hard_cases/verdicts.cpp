@@ -45,7 +45,10 @@ void count(const CaseVerdict& verdict, const std::string& name, FamilyTally& tal
   if (verdict.comparison.outcome == Outcome::not_applicable) return;
   ++tally.variants;
   tally.failures += is_failure(verdict.comparison.outcome);
-  tally.broken += verdict.promise.verdict == PromiseVerdict::broken;
+  if (verdict.promise.verdict == PromiseVerdict::broken) {
+    ++tally.broken;
+    if (tally.offender.empty()) tally.offender = name + ": " + verdict.promise.reason;
+  }
   if (verdict.promise.ulps > tally.largest_ulps) {
     tally.largest_ulps = verdict.promise.ulps;
     tally.worst = name;
@@ -56,6 +59,7 @@ void merge(const FamilyTally& part, FamilyTally& whole) {
   whole.variants += part.variants;
   whole.failures += part.failures;
   whole.broken += part.broken;
+  if (whole.offender.empty()) whole.offender = part.offender;
   if (part.largest_ulps > whole.largest_ulps) {
     whole.largest_ulps = part.largest_ulps;
     whole.worst = part.worst;

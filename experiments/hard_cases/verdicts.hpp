@@ -35,6 +35,7 @@ struct FamilyTally {
   std::int64_t broken = 0;    // promises
   double largest_ulps = 0;    // backward error, in units of the promise, where it applies
   std::string worst;          // name of the variant with it
+  std::string offender;       // the first variant that breaks a promise, and how
 };
 
 // One tally per contestant, over families and special values that are finite.

@@ -57,6 +57,18 @@ Triangle<S, T, K> triangle_cast(const Triangle<S, float, K>& triangle) {
   return result;
 }
 
+// The same triangle with the number of its attributes known at run time only.
+template <Space S, class T, int K>
+Triangle<S, T, kRunTime> with_run_time_attributes(const Triangle<S, T, K>& triangle) {
+  Triangle<S, T, kRunTime> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[i].position = triangle[i].position;
+    result[i].attributes.resize(K);
+    for (int k = 0; k < K; ++k) result[i].attributes[k] = triangle[i].attributes[k];
+  }
+  return result;
+}
+
 // Triangles: a vector or a span of triangles in float.
 template <class T, class Triangles>
 auto triangles_cast(const Triangles& triangles) {

@@ -29,13 +29,17 @@ constexpr void divide_inside(const std::array<Vec4<T>, 3>& positions,
                              const Triangle<S, T, K>& source, NdcPolygon<T, K>& out) {
   out.clear();
   for (std::size_t i = 0; i < 3; ++i) {
-    const T& z = positions[i][2];  // with depth clamp it was not looked at
     const T& w = positions[i][3];
-    if (!(T(0) < w) || !is_finite(w) || !is_finite(z)) {
+    if (!(T(0) < w) || !is_finite(w)) {
       out.clear();
       return;
     }
-    out.push_back({to_ndc(positions[i]), source[i].attributes});
+    const Vec4<T> ndc = to_ndc(positions[i]);
+    if (!is_finite(ndc[2])) {  // with depth clamp nothing bounds z
+      out.clear();
+      return;
+    }
+    out.push_back({ndc, source[i].attributes});
   }
 }
 

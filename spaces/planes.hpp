@@ -207,11 +207,16 @@ constexpr OutcodeSummary summarize_outcodes(const ClipVolume& volume,
                                             const Simplex<S, T, K, N>& primitive,
                                             PositionOutcode&& position_outcode) {
   OutcodeSummary r{~Outcode{0}, 0};
-  for (std::size_t i = 0; i < N; ++i) {
-    const Outcode code =
-        position_outcode(i) | clip_distance_outcode(volume, primitive[i].attributes);
+  const auto note = [&r](Outcode code) {
     r.all &= code;
     r.any |= code;
+  };
+  if (volume == ClipVolume{.depth = volume.depth}) [[likely]] {
+    for (std::size_t i = 0; i < N; ++i) note(position_outcode(i));
+    return r;
+  }
+  for (std::size_t i = 0; i < N; ++i) {
+    note(position_outcode(i) | clip_distance_outcode(volume, primitive[i].attributes));
   }
   const Outcode planes = planes_of(volume);
   return {r.all & planes, r.any & planes};

@@ -89,7 +89,7 @@ struct DistanceMatrix {
     out.clear();
     if (code.all != 0) return;
     if (code.any == 0) {
-      divide_inside(positions, source, out);
+      divide_inside(volume, positions, source, out);
       return;
     }
     for (const Vec4<T>& p : positions) {

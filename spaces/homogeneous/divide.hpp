@@ -23,9 +23,10 @@ constexpr void divide(const ClipPolygon<T, K>& in, NdcPolygon<T, K>& out) {
 }
 
 // Divides a triangle that is inside all planes into `out`: a vertex has w >= |x| >= 0 then; only
-// (0, 0, 0, 0) has w = 0, and is outside. `source` gives the attributes.
+// (0, 0, 0, 0) has w = 0, and is outside. With depth clamp nothing bounds z. `source` gives the
+// attributes.
 template <Scalar T, Space S, int K>
-constexpr void divide_inside(const std::array<Vec4<T>, 3>& positions,
+constexpr void divide_inside(const ClipVolume& volume, const std::array<Vec4<T>, 3>& positions,
                              const Triangle<S, T, K>& source, NdcPolygon<T, K>& out) {
   out.clear();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -35,7 +36,7 @@ constexpr void divide_inside(const std::array<Vec4<T>, 3>& positions,
       return;
     }
     const Vec4<T> ndc = to_ndc(positions[i]);
-    if (!is_finite(ndc[2])) {  // with depth clamp nothing bounds z
+    if (volume.depth_clamp && !is_finite(ndc[2])) {
       out.clear();
       return;
     }

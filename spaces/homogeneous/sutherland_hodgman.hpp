@@ -106,7 +106,7 @@ struct HomogeneousSutherlandHodgmanWith {
     if (code.all != 0) {
       out.clear();
     } else if (code.any == 0 && !is_behind_w_plane(positions)) {
-      divide_inside(positions, source, out);
+      divide_inside(volume, positions, source, out);
     } else {
       cut_planes(volume, code.any,
                  {ClipVertex<T, K>{positions[0], source[0].attributes},

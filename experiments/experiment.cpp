@@ -33,12 +33,13 @@ void ExperimentContext::emit_file(const std::filesystem::path& path) const {
 }
 
 std::span<const Experiment> all_experiments() {
-  static constexpr std::array<Experiment, 5> kAll = {{
+  static constexpr std::array<Experiment, 6> kAll = {{
       {"cost", "How long does each clipper take, by mix of triangles and scalar, against textbook?",
        run_cost},
       {"accuracy", "How far from the exact answer is each clipper, and in what way?", run_accuracy},
       {"budget", "How much of the error comes from the transform, how much from cut and divide?",
        run_budget},
+      {"w_sign", "What happens where w <= 0, and what does a plane w >= epsilon cost?", run_w_sign},
       {"hard_cases", "Which clipper gets which hard case wrong, and how?", run_hard_cases},
       {"pictures", "What does each clipper show on screen, and where is it wrong?", run_pictures},
   }};

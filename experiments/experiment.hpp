@@ -45,5 +45,6 @@ void run_budget(const ExperimentContext& context);
 void run_cost(const ExperimentContext& context);
 void run_hard_cases(const ExperimentContext& context);
 void run_pictures(const ExperimentContext& context);
+void run_w_sign(const ExperimentContext& context);
 
 }  // namespace clipscope::experiments

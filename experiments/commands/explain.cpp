@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/primitive_text.hpp"
 #include "experiments/commands/selection.hpp"
-#include "experiments/commands/triangle_text.hpp"
 #include "experiments/errors.hpp"
 #include "experiments/measure/batches.hpp"
 #include "experiments/measure/compare.hpp"
@@ -24,7 +24,7 @@ constexpr std::array<const char*, kPlanes> kPlaneNames = {"left", "right", "bott
                                                           "top",  "near",  "far"};
 
 struct ExplainOptions {
-  TriangleTextOptions text;
+  PrimitiveTextOptions text;
   Selection selection;
   std::string scene, view;
   std::size_t triangle = 0;
@@ -32,7 +32,7 @@ struct ExplainOptions {
 
 // What is explained: one triangle and its volume.
 struct Subject {
-  TextTriangle triangle;
+  TextPrimitive triangle;
   Frustum<double> frustum;
   bool view_space = true;
   int attributes = 0;
@@ -244,7 +244,7 @@ Subject subject_from_scene(const ExplainOptions& options) {
 
 Subject subject_from_text(const ExplainOptions& options) {
   const Frustum<double> frustum = frustum_of(options.text);
-  std::vector<TextTriangle> triangles = read_triangles(options.text);
+  std::vector<TextPrimitive> triangles = read_primitives(options.text, Primitive::triangle);
   if (options.triangle >= triangles.size()) {
     throw InputError(fmt::format("{}: has {} triangles, number {} was asked for", options.text.file,
                                  triangles.size(), options.triangle));
@@ -271,7 +271,7 @@ void add_explain_command(CLI::App& app, Action& action) {
       "--triangle.");
   const auto options = std::make_shared<ExplainOptions>();
   options->selection.clipper = "homogeneous/sutherland_hodgman";
-  add_triangle_text_options(*command, options->text);
+  add_primitive_text_options(*command, options->text);
   command->add_option("--clipper", options->selection.clipper, "Name of a clipper")
       ->type_name("NAME");
   command->add_option("--scene", options->scene, "Take the triangle from this scene or mesh file")

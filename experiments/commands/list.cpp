@@ -3,42 +3,80 @@
 // clipscope list: what there is to select from.
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
 
+#include "experiments/catalogue/hard_case.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/selection.hpp"
 #include "experiments/errors.hpp"
 #include "experiments/experiment.hpp"
 #include "experiments/report/table.hpp"
 #include "experiments/scenes/builtin.hpp"
+#include "spaces/homogeneous/polygon.hpp"
 
 namespace clipscope::experiments {
 namespace {
+
+// ", a, b" for the names whose flag is set; "" for none.
+std::string listed(std::string_view before,
+                   std::initializer_list<std::pair<bool, const char*>> names) {
+  std::string text;
+  for (const auto& [is_set, name] : names) {
+    if (is_set) text += fmt::format("{}{}", text.empty() ? before : ", ", name);
+  }
+  return text;
+}
 
 std::string promise_text(const Promise& promise) {
   const bool whole = promise.domain == Promise::Domain::all_or_nothing;
   std::string text =
       fmt::format("{} ulp{}", promise.ulps,
                   promise.amplification == Promise::Amplification::w_ratio ? " * w_max/w_min" : "");
-  if (promise.domain == Promise::Domain::in_front) text += ", in front only";
-  if (whole) text += ", whole triangles";
-  if (!promise.covers) text += ", loses visible parts";
-  if (!promise.contained) text += ", draws outside";
-  if (!promise.attributes) text += ", attributes not promised";
+  text += listed(", ", {{promise.domain == Promise::Domain::in_front, "in front only"},
+                        {whole, "whole triangles"},
+                        {!promise.covers, "loses visible parts"},
+                        {!promise.contained, "draws outside"},
+                        {!promise.attributes, "attributes not promised"}});
+  text += listed("; to the bit: ", {{promise.total, "total"},
+                                    {promise.watertight, "watertight"},
+                                    {promise.rotation_invariant, "rotation"},
+                                    {promise.scale_invariant, "scale"}});
+  text += listed("; does not take ", {{!promise.depth_clamp, "depth clamp"},
+                                      {!promise.clip_distances, "clip distances"}});
   return text;
+}
+
+// C: a contestant, or a clipper.
+template <class C>
+void add_clipper(Table& table, const C& c, Primitive primitive, bool takes_clip_space) {
+  table.add_row({std::string(c.name), to_string(primitive),
+                 std::string(takes_clip_space ? "view, clip" : "view"), std::string(c.summary),
+                 promise_text(c.promise), std::string(c.source)});
+}
+
+template <std::size_t N>
+void add_clippers(Table& table, Primitive primitive) {
+  for (const Contestant<float, N>& c : contestants<float, N>()) {
+    add_clipper(table, c, primitive, c.clip != nullptr);
+  }
 }
 
 Table clippers_table() {
   Table table("clippers", "Clippers",
               {{"name", "name"},
+               {"primitive", "primitive"},
                {"space_inputs", "input"},
                {"summary", "what it does"},
                {"promise", "backward error promised"},
                {"source", "source"}});
-  for (const Contestant<float>& c : contestants<float>()) {
-    table.add_row({std::string(c.name), std::string(c.clip ? "view, clip" : "view"),
-                   std::string(c.summary), promise_text(c.promise), std::string(c.source)});
-  }
+  add_clippers<3>(table, Primitive::triangle);
+  add_clippers<2>(table, Primitive::segment);
+  add_clippers<1>(table, Primitive::point);
+  add_clipper(table, HomogeneousPolygonClipper<float, kRunTime>{}, Primitive::polygon, true);
   return table;
 }
 

@@ -38,6 +38,11 @@ bool matches(std::string_view pattern, std::string_view name) {
 }
 
 template <std::size_t N>
+constexpr std::string_view kPrimitives = N == 1   ? "points"
+                                         : N == 2 ? "segments"
+                                                  : "triangles";
+
+template <std::size_t N>
 std::vector<std::string_view> matching_clippers(std::string_view pattern) {
   std::vector<std::string_view> matching;
   for (const std::string_view name : clipper_names<N>()) {
@@ -45,8 +50,8 @@ std::vector<std::string_view> matching_clippers(std::string_view pattern) {
     if (matches(pattern, name)) matching.push_back(name);
   }
   if (matching.empty()) {
-    throw UsageError(fmt::format("--clipper: no clipper matches '{}'; there are: {}", pattern,
-                                 fmt::join(clipper_names<N>(), ", ")));
+    throw UsageError(fmt::format("--clipper: no clipper of {} matches '{}'; there are: {}",
+                                 kPrimitives<N>, pattern, fmt::join(clipper_names<N>(), ", ")));
   }
   return matching;
 }

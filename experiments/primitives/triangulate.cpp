@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "experiments/errors.hpp"
 
@@ -107,20 +108,26 @@ void mark_places(Triangulation& triangulation) {
   }
 }
 
+// The polygon in the plane. Errors: InputError unless it is simple.
 template <std::size_t D>
-std::vector<IndexTriangle> triangulate_points(Points<D> points, const std::string& where) {
+std::vector<Point2> simple_projection(Points<D> points, const std::string& where) {
   if (points.size() < 3) {
     throw InputError(fmt::format("{}: {} vertices, expected 3 or more", where, points.size()));
   }
   check_finite(points, where);
-  const std::vector<Point2> projected = project(points, where);
+  std::vector<Point2> projected = project(points, where);
   if (!CGAL::is_simple_2(projected.begin(), projected.end(), Kernel())) {
     throw InputError(where +
                      ": edges of the polygon cross or touch each other; expected a simple polygon");
   }
+  return projected;
+}
+
+// Pre-condition: the polygon is simple.
+std::vector<IndexTriangle> triangulate_simple(const std::vector<Point2>& polygon) {
   const bool counterclockwise =
-      CGAL::orientation_2(projected.begin(), projected.end(), Kernel()) == CGAL::COUNTERCLOCKWISE;
-  Triangulation triangulation = constrain_edges(projected);
+      CGAL::orientation_2(polygon.begin(), polygon.end(), Kernel()) == CGAL::COUNTERCLOCKWISE;
+  Triangulation triangulation = constrain_edges(polygon);
   mark_places(triangulation);
   std::vector<IndexTriangle> triangles;
   for (const auto face : triangulation.finite_face_handles()) {
@@ -132,16 +139,39 @@ std::vector<IndexTriangle> triangulate_points(Points<D> points, const std::strin
   return triangles;
 }
 
+template <std::size_t D>
+std::vector<IndexPolygon> convex_parts_of(Points<D> points, const std::string& where) {
+  const std::vector<Point2> polygon = simple_projection(points, where);
+  if (CGAL::is_convex_2(polygon.begin(), polygon.end(), Kernel())) {
+    IndexPolygon all(polygon.size());
+    std::iota(all.begin(), all.end(), 0);
+    return {all};
+  }
+  std::vector<IndexPolygon> parts;
+  for (const IndexTriangle& t : triangulate_simple(polygon)) parts.emplace_back(t.begin(), t.end());
+  return parts;
+}
+
 }  // namespace
 
 std::vector<IndexTriangle> triangulate(std::span<const std::array<double, 3>> points,
                                        const std::string& where) {
-  return triangulate_points<3>(points, where);
+  return triangulate_simple(simple_projection(points, where));
 }
 
 std::vector<IndexTriangle> triangulate(std::span<const std::array<double, 4>> points,
                                        const std::string& where) {
-  return triangulate_points<4>(points, where);
+  return triangulate_simple(simple_projection(points, where));
+}
+
+std::vector<IndexPolygon> convex_parts(std::span<const std::array<double, 3>> points,
+                                       const std::string& where) {
+  return convex_parts_of(points, where);
+}
+
+std::vector<IndexPolygon> convex_parts(std::span<const std::array<double, 4>> points,
+                                       const std::string& where) {
+  return convex_parts_of(points, where);
 }
 
 }  // namespace clipscope::experiments

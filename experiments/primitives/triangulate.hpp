@@ -35,7 +35,17 @@ std::vector<IndexTriangle> triangulate(std::span<const std::array<double, 3>> po
 std::vector<IndexTriangle> triangulate(std::span<const std::array<double, 4>> points,
                                        const std::string& where = "polygon");
 
-// The same for vertices, whose attributes stay with them. Positions are converted to doubles: exactly
+// Indices of the vertices of a convex polygon that is all or part of another, in its winding.
+using IndexPolygon = std::vector<int>;
+
+// What a clipper of convex polygons can take: the whole polygon where it is convex (straight angles
+// are), else its triangles. Errors as above.
+std::vector<IndexPolygon> convex_parts(std::span<const std::array<double, 3>> points,
+                                       const std::string& where = "polygon");
+std::vector<IndexPolygon> convex_parts(std::span<const std::array<double, 4>> points,
+                                       const std::string& where = "polygon");
+
+// The triangles of vertices, whose attributes stay with them. Positions are converted to doubles: exactly
 // from float and double.
 template <Space S, Scalar T, int K>
 std::vector<IndexTriangle> triangulate(std::span<const Vertex<S, T, K>> polygon,

@@ -25,6 +25,13 @@ namespace clipscope {
 template <Scalar T, int K>
 class HomogeneousPolygonClipper {
  public:
+  static constexpr std::string_view name = "homogeneous/polygon";
+  static constexpr std::string_view summary =
+      "Sutherland-Hodgman in clip space for a convex polygon of any size";
+  static constexpr std::string_view source =
+      "Sutherland and Hodgman, Reentrant Polygon Clipping, 1974";
+  static constexpr Promise promise{.ulps = kChainUlps};
+
   // The part of the polygon in the volume, divided, in the polygon's winding; empty if that has fewer
   // than three vertices. Valid until the next call. Policy for NaN and infinity: clipper.hpp.
   std::span<const NdcVertex<T, K>> operator()(const ClipVolume& volume,

@@ -157,3 +157,17 @@ TEST_CASE("triangulate: what is not a simple polygon is named as such") {
   infinite[3][1] = std::numeric_limits<double>::infinity();
   CHECK_THAT(message_of(infinite), Contains("vertex 3") && Contains("inf"));
 }
+
+TEST_CASE("triangulate: a convex polygon is one part, straight angles included; a dart is two") {
+  const auto square = on_plane({{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}});
+  const auto dart = on_plane({{-2, -2}, {0, -1}, {2, -2}, {0, 2}});
+  CHECK(convex_parts(std::span<const Point3>(square)) ==
+        std::vector<IndexPolygon>{{0, 1, 2, 3, 4}});
+  const auto parts = convex_parts(std::span<const Point3>(dart));
+  REQUIRE(parts.size() == 2);
+  for (const IndexPolygon& part : parts) {
+    CHECK(part.size() == 3);
+    CHECK(std::count(part.begin(), part.end(), 1) == 1);
+    CHECK(std::count(part.begin(), part.end(), 3) == 1);
+  }
+}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/commands/triangle_text.hpp"
+#include "experiments/commands/primitive_text.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@
 namespace clipscope::experiments {
 namespace {
 
-bool reads_floats(const TriangleTextOptions& options) {
+bool reads_floats(const PrimitiveTextOptions& options) {
   return options.scalar == ScalarTraits<float>::name ||
          options.scalar == ScalarTraits<Counted>::name;
 }
@@ -57,30 +57,54 @@ double parse_number(const std::string& word, bool as_float, const std::string& p
   return value;
 }
 
-std::vector<TextTriangle> read_stream(std::istream& in, const std::string& name,
-                                      const TriangleTextOptions& options) {
+// Numbers in a line: of a polygon a multiple of `per_vertex` with at least three vertices.
+bool is_complete(std::size_t numbers, Primitive primitive, std::size_t per_vertex) {
+  if (primitive == Primitive::polygon) {
+    return numbers >= 3 * per_vertex && numbers % per_vertex == 0;
+  }
+  return numbers == vertices_of(primitive) * per_vertex;
+}
+
+std::string expected_numbers(const PrimitiveTextOptions& options, Primitive primitive,
+                             std::size_t dimension, std::size_t per_vertex) {
+  const std::size_t n = vertices_of(primitive);
+  const std::string vertices = primitive == Primitive::polygon
+                                   ? "3 or more vertices"
+                                   : fmt::format("{} {}", n, n == 1 ? "vertex" : "vertices");
+  const std::string count =
+      primitive == Primitive::polygon
+          ? fmt::format("a multiple of {} from {}", per_vertex, 3 * per_vertex)
+          : fmt::format("{}", n * per_vertex);
+  return fmt::format("a {} in {} space takes {}: {} of {} coordinates and {} attributes",
+                     to_string(primitive), options.space, count, vertices, dimension,
+                     options.attributes);
+}
+
+std::string source_name(const PrimitiveTextOptions& options) {
+  return options.file == "-" ? "standard input" : options.file;
+}
+
+std::vector<TextPrimitive> read_stream(std::istream& in, const PrimitiveTextOptions& options,
+                                       Primitive primitive) {
   const std::size_t dimension = options.space == "view" ? 3 : 4;
-  const std::size_t expected = 3 * (dimension + static_cast<std::size_t>(options.attributes));
-  std::vector<TextTriangle> triangles;
+  const std::size_t per_vertex = dimension + static_cast<std::size_t>(options.attributes);
+  std::vector<TextPrimitive> primitives;
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
-    const std::string place = fmt::format("{}:{}", name, ++number);
+    const std::string place = fmt::format("{}:{}", source_name(options), ++number);
     const std::vector<std::string> words = split(line);
     if (words.empty()) continue;
-    if (words.size() != expected) {
-      throw InputError(
-          fmt::format("{}: found {} numbers; a triangle in {} space takes {}: 3 vertices of {} "
-                      "coordinates and {} "
-                      "attributes",
-                      place, words.size(), options.space, expected, dimension, options.attributes));
+    if (!is_complete(words.size(), primitive, per_vertex)) {
+      throw InputError(fmt::format("{}: found {} numbers; {}", place, words.size(),
+                                   expected_numbers(options, primitive, dimension, per_vertex)));
     }
-    TextTriangle& triangle = triangles.emplace_back(TextTriangle{number, {}});
+    TextPrimitive& read = primitives.emplace_back(TextPrimitive{number, {}});
     for (const std::string& word : words) {
-      triangle.values.push_back(parse_number(word, reads_floats(options), place));
+      read.values.push_back(parse_number(word, reads_floats(options), place));
     }
   }
-  if (in.bad()) throw InputError(fmt::format("{}: can't be read", name));
-  return triangles;
+  if (in.bad()) throw InputError(fmt::format("{}: can't be read", source_name(options)));
+  return primitives;
 }
 
 // A far plane given as `inf`.
@@ -89,7 +113,7 @@ void set_far(Frustum<double>& f, double far) {
   f.far = f.infinite_far ? 0.0 : far;
 }
 
-Frustum<double> described_frustum(const TriangleTextOptions& options) {
+Frustum<double> described_frustum(const PrimitiveTextOptions& options) {
   Frustum<double> f;
   f.depth = depth_range(options);
   if (!options.perspective.empty()) {
@@ -122,7 +146,7 @@ Frustum<double> described_frustum(const TriangleTextOptions& options) {
 
 }  // namespace
 
-void add_triangle_text_options(CLI::App& command, TriangleTextOptions& options) {
+void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options) {
   command
       .add_option("--space", options.space,
                   "Space of the input: view (x y z) or clip (x y z w) [view]")
@@ -147,24 +171,24 @@ void add_triangle_text_options(CLI::App& command, TriangleTextOptions& options) 
       .add_option("--depth", options.depth,
                   "Depth convention: gl [-1, 1], zero_to_one [0, 1] or reversed [1, 0] [gl]")
       ->check(CLI::IsMember({"gl", "zero_to_one", "reversed"}));
-  command.add_option("file", options.file, "Triangles, one per line [standard input]")
+  command.add_option("file", options.file, "Primitives, one per line [standard input]")
       ->type_name("FILE");
 }
 
-DepthRange depth_range(const TriangleTextOptions& options) {
+DepthRange depth_range(const PrimitiveTextOptions& options) {
   if (options.depth == "zero_to_one") return DepthRange::zero_to_one;
   if (options.depth == "reversed") return DepthRange::reversed;
   return DepthRange::minus_one_to_one;
 }
 
-Frustum<double> frustum_of(const TriangleTextOptions& options) {
+Frustum<double> frustum_of(const PrimitiveTextOptions& options) {
   const int given =
       !options.perspective.empty() + !options.frustum.empty() + !options.ortho.empty();
   if (options.space == "clip") {
     if (given != 0) {
       throw UsageError(
           "--perspective, --frustum and --ortho go with --space view: clip-space "
-          "triangles are projected already");
+          "coordinates are projected already");
     }
     Frustum<double> f;
     f.depth = depth_range(options);
@@ -187,15 +211,19 @@ Frustum<double> frustum_of(const TriangleTextOptions& options) {
   return f;
 }
 
-std::vector<TextTriangle> read_triangles(const TriangleTextOptions& options) {
-  if (options.file == "-") return read_stream(std::cin, "standard input", options);
+std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
+                                           Primitive primitive) {
+  if (options.file == "-") return read_stream(std::cin, options, primitive);
   errno = 0;
   std::ifstream file(options.file);
   if (!file) {
     throw InputError(fmt::format("{}: can't be opened: {}", options.file, std::strerror(errno)));
   }
-  std::vector<TextTriangle> triangles = read_stream(file, options.file, options);
-  return triangles;
+  return read_stream(file, options, primitive);
+}
+
+std::string place_of(const PrimitiveTextOptions& options, const TextPrimitive& primitive) {
+  return fmt::format("{}:{}", source_name(options), primitive.line);
 }
 
 }  // namespace clipscope::experiments

@@ -15,6 +15,7 @@ packages=(
   libcgal-dev libgmp-dev libmpfr-dev          # exact arithmetic, polyhedra
   libglm-dev libqd-dev                        # vectors, double-double
   libopenimageio-dev fonts-dejavu-core        # pictures and the text in them
+  libcairo2-dev                               # vector graphics
   openimageio-tools libopencv-core-dev        # OpenImageIO's CMake package names files of these
   libassimp-dev                               # meshes
   libcli11-dev nlohmann-json3-dev libfmt-dev  # command line, output

@@ -1,231 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// clipscope explain: one triangle, step by step in every space, beside the exact answer.
+// clipscope explain: one primitive beside the exact answer, a triangle step by step in every space; as a
+// picture too.
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "experiments/catalogue/catalogue.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/explain_case.hpp"
 #include "experiments/commands/primitive_text.hpp"
 #include "experiments/commands/selection.hpp"
 #include "experiments/errors.hpp"
+#include "experiments/hard_cases/case_picture.hpp"
+#include "experiments/hard_cases/find_case.hpp"
+#include "experiments/hard_cases/judge.hpp"
 #include "experiments/measure/batches.hpp"
-#include "experiments/measure/compare.hpp"
 #include "experiments/pictures/draw_scene.hpp"
-#include "experiments/report/decimal.hpp"
-#include "spaces/cut.hpp"
-#include "spaces/planes.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
-constexpr std::array<const char*, kPlanes> kPlaneNames = {"left", "right", "bottom",
-                                                          "top",  "near",  "far"};
-
 struct ExplainOptions {
   PrimitiveTextOptions text;
-  Selection selection;
+  Selection selection;  // its clipper is empty if none was chosen
   std::string scene, view;
   std::size_t triangle = 0;
+  std::string hard_case, beside_case;
+  std::optional<std::string> corpus, picture;
 };
 
-// What is explained: one triangle and its volume.
-struct Subject {
-  TextPrimitive triangle;
-  Frustum<double> frustum;
-  bool view_space = true;
-  int attributes = 0;
-};
-
-const char* plane_name(Plane plane) { return kPlaneNames[static_cast<std::size_t>(plane)]; }
-
-std::string outcode_text(Outcode code) {
-  std::string text;
-  for (const Plane plane : kAllPlanes) {
-    if (code & bit(plane)) text += fmt::format("{}{}", text.empty() ? "" : " ", plane_name(plane));
+std::string default_clipper(Primitive primitive) {
+  switch (primitive) {
+    case Primitive::point: return "point/pop";
+    case Primitive::segment: return "homogeneous/liang_barsky";
+    case Primitive::triangle: return "homogeneous/sutherland_hodgman";
+    case Primitive::polygon: break;
   }
-  return text.empty() ? "inside" : "outside " + text;
+  return "homogeneous/polygon";
 }
 
-template <class Numbers>
-std::string numbers_text(const Numbers& numbers, int count) {
-  std::string text;
-  for (int i = 0; i < count; ++i) text += fmt::format(" {:>16.9g}", nearest_double(numbers[i]));
-  return text;
-}
-
-template <Space S, class T>
-void print_polygon(const Polygon<S, T, kRunTime>& polygon) {
-  for (int v = 0; v < polygon.size(); ++v) {
-    fmt::print("      {}: {}\n", v, numbers_text(polygon[v].position, Vertex<S, T, 0>::kDimension));
+// Errors: UsageError if something else was chosen too.
+HardCase case_from_catalogue(const ExplainOptions& options) {
+  if (!options.beside_case.empty()) {
+    throw UsageError(fmt::format("--case: a case says all that {} would say; leave it out",
+                                 options.beside_case));
   }
+  if (!options.corpus) return find_case(builtin_catalogue(), options.hard_case);
+  return find_case(load_catalogue(*options.corpus), options.hard_case);
 }
 
-// Cuts by each plane that some vertex is outside of and prints what is left; then the polygon.
-template <Space S, class T, class Distance>
-Polygon<S, T, kRunTime> print_cuts(const Triangle<S, T, kRunTime>& triangle, Distance&& distance) {
-  Polygon<S, T, kRunTime> polygon, cut_off;
-  polygon.assign(triangle);
-  for (const Plane plane :
-       {Plane::near, Plane::far, Plane::left, Plane::right, Plane::bottom, Plane::top}) {
-    const auto d = [&](const Vertex<S, T, kRunTime>& v) { return distance(plane, v.position); };
-    std::string distances;
-    bool crossed = false;
-    for (int v = 0; v < polygon.size(); ++v) {
-      const T value = d(polygon[v]);
-      distances += fmt::format(" {:.6g}", nearest_double(value));
-      crossed = crossed || !(T(0) <= value);
-    }
-    if (!crossed) continue;
-    cut(polygon, cut_off, d);
-    fmt::print("    {}: distances{}; {} vertices become {}\n", plane_name(plane), distances,
-               polygon.size(), cut_off.size());
-    std::swap(polygon, cut_off);
-    print_polygon(polygon);
-  }
-  if (polygon.size() < 3) fmt::print("    nothing is left\n");
-  return polygon;
-}
-
-template <class T>
-void explain_view(const Projection<T>& projection, const ViewTriangle<T, kRunTime>& triangle) {
-  fmt::print("View space: x y z\n");
-  for (int v = 0; v < 3; ++v) {
-    fmt::print("  v{}: {}  {}\n", v, numbers_text(triangle[v].position, 3),
-               outcode_text(view_outcode(projection.frustum, triangle[v].position)));
-  }
-  fmt::print("  cuts in view space\n");
-  print_cuts<Space::view>(triangle, [&](Plane plane, const Vec3<T>& p) {
-    return view_distance(projection.frustum, plane, p);
-  });
-}
-
-template <class T>
-void explain_clip(DepthRange depth, const ClipTriangle<T, kRunTime>& triangle) {
-  fmt::print("\nClip space: x y z w\n");
-  for (int v = 0; v < 3; ++v) {
-    fmt::print("  v{}: {}  {}\n", v, numbers_text(triangle[v].position, 4),
-               outcode_text(clip_outcode(depth, triangle[v].position)));
-  }
-  fmt::print("  cuts in clip space\n");
-  print_cuts<Space::clip>(
-      triangle, [&](Plane plane, const Vec4<T>& p) { return clip_distance(depth, plane, p); });
-}
-
-template <class T>
-void explain_ndc(DepthRange depth, const ClipTriangle<T, kRunTime>& triangle) {
-  fmt::print("\nCanonical view volume, divided before any cut: x y z 1/w\n");
-  Triangle<Space::ndc, T, kRunTime> divided;
-  for (int v = 0; v < 3; ++v) {
-    const T& w = triangle[v].position[3];
-    if (!can_divide_by(w)) {
-      fmt::print("  v{} has w = 0: it can't be divided\n", v);
-      return;
-    }
-    divided[v] = to_ndc(triangle[v]);
-    fmt::print("  v{}: {}  {}{}\n", v, numbers_text(divided[v].position, 4),
-               outcode_text(ndc_outcode(depth, divided[v].position)),
-               T(0) < w ? "" : "; w <= 0: mirrored through the eye or at infinity");
-  }
-  fmt::print("  cuts in the volume\n");
-  print_cuts<Space::ndc>(
-      divided, [&](Plane plane, const Vec4<T>& p) { return ndc_distance(depth, plane, p); });
-}
-
-// The exact vertex nearest to a vertex of the answer, on the screen.
-template <class T>
-const reference::ExactVertex& nearest_vertex(const TruthPolygon& truth,
-                                             const NdcVertex<T, kRunTime>& v) {
-  std::size_t best = 0;
-  double least = HUGE_VAL;
-  for (std::size_t i = 0; i < truth.approximation.size(); ++i) {
-    const auto& a = truth.approximation[i];
-    const double distance =
-        std::hypot(nearest_double(v.position[0]) - a[0], nearest_double(v.position[1]) - a[1]);
-    if (distance < least) {
-      least = distance;
-      best = i;
-    }
-  }
-  return truth.exact.vertices[best];
-}
-
-template <class T>
-void print_coordinate(const std::string& name, const T& value, const reference::Fraction& exact) {
-  constexpr int kDigits =
-      ScalarTraits<T>::precision == 0 ? 34 : (ScalarTraits<T>::precision * 302) / 1000 + 3;
-  if (!is_finite(value)) {
-    fmt::print("      {:5}  {} (not finite), exact {}\n", name, nearest_double(value),
-               decimal(reference::to_rational(exact), kDigits));
-    return;
-  }
-  const Exact found = to_exact(value);
-  const Exact right = reference::to_rational(exact);
-  const double error = reference::error_of(found, exact);
-  const double ulp = ulp_at<T>(reference::approximate(exact));
-  fmt::print("      {:5}  {}\n", name, marked_decimal(found, right, kDigits));
-  fmt::print("      exact  {}  error {:.2g}{}\n", decimal(right, kDigits), error,
-             ulp > 0 ? fmt::format(" = {:.3g} ulp", std::abs(error) / ulp) : "");
-}
-
-template <class T>
-void print_answer(const NdcPolygon<T, kRunTime>& polygon, const TruthPolygon& truth) {
-  const Comparison comparison =
-      compare<T, kRunTime>(std::span(polygon.begin(), polygon.end()), truth);
-  fmt::print("  {} vertices, exact {}; outcome: {}\n", polygon.size(), truth.exact.vertices.size(),
-             outcome_name(comparison.outcome));
-  if (truth.exact.vertices.empty()) return;
-  fmt::print("  the first wrong digit is in brackets\n");
-  static constexpr std::array<const char*, 4> kNames = {"x", "y", "z", "1/w"};
-  for (int v = 0; v < polygon.size(); ++v) {
-    const reference::ExactVertex& exact = nearest_vertex(truth, polygon[v]);
-    fmt::print("    vertex {}\n", v);
-    for (int i = 0; i < 4; ++i) {
-      print_coordinate(kNames[static_cast<std::size_t>(i)], polygon[v].position[i],
-                       coordinate(exact, i));
-    }
-    for (int k = 0; k < polygon[v].attributes.size(); ++k) {
-      print_coordinate(fmt::format("a{}", k), polygon[v].attributes[k],
-                       exact.attributes[static_cast<std::size_t>(k)]);
-    }
-  }
-}
-
-template <class T>
-void explain_with(const Contestant<T>& contestant, const Subject& subject) {
-  const auto polygon = std::make_unique<NdcPolygon<T, kRunTime>>();
-  const DepthRange depth = subject.frustum.depth;
-  TruthPolygon truth;
-  if (subject.view_space) {
-    const auto projection = projection_from<T>(subject.frustum);
-    const auto triangle = triangle_of<T, Space::view>(subject.triangle, subject.attributes);
-    const auto bits = triangle_of<double, Space::view>(subject.triangle, subject.attributes);
-    explain_view(projection, triangle);
-    explain_clip(depth, to_clip(projection, triangle));
-    explain_ndc(depth, to_clip(projection, triangle));
-    contestant.view_one(projection, triangle, *polygon);
-    truth = truth_polygon(reference::Truth::of_frustum(subject.frustum),
-                          reference::input_triangle(bits));
-  } else {
-    const auto triangle = triangle_of<T, Space::clip>(subject.triangle, subject.attributes);
-    const auto bits = triangle_of<double, Space::clip>(subject.triangle, subject.attributes);
-    if (contestant.clip_one == nullptr) {
-      throw UsageError(
-          fmt::format("--clipper: {} starts in view space, so clip-space triangles are "
-                      "not applicable",
-                      contestant.name));
-    }
-    explain_clip(depth, triangle);
-    explain_ndc(depth, triangle);
-    contestant.clip_one(ClipVolume{.depth = depth}, triangle, *polygon);
-    truth = truth_polygon(reference::Truth::of_clip(depth), reference::input_triangle(bits));
-  }
-  fmt::print("\nAnswer of {} in {}\n", contestant.name, ScalarTraits<T>::name);
-  print_answer(*polygon, truth);
-}
-
-Subject subject_from_scene(const ExplainOptions& options) {
+HardCase case_from_scene(const ExplainOptions& options) {
   const Scene scene = load_selected_scene(options.selection, options.scene);
   if (options.triangle >= scene.mesh.triangles.size()) {
     throw UsageError(fmt::format("--triangle: scene {} has the triangles 0 to {}, {} was given",
@@ -234,53 +61,119 @@ Subject subject_from_scene(const ExplainOptions& options) {
   const View& view = find_view(scene, options.view);
   const auto triangles =
       sampled_view_triangles(scene, view, {scene.mesh.triangles.size(), 1}, options.triangle, 1);
-  Subject subject{{0, {}}, frustum_cast<double>(view.frustum), true, kSceneAttributes};
-  for (const auto& v : triangles.front()) {
-    for (int i = 0; i < 3; ++i) subject.triangle.values.push_back(v.position[i]);
-    for (int k = 0; k < kSceneAttributes; ++k) subject.triangle.values.push_back(v.attributes[k]);
-  }
-  return subject;
+  HardCase r;
+  r.name = fmt::format("triangle {} of {}", options.triangle, scene.name);
+  r.why = fmt::format("seen from {}", view.label);
+  r.space = Space::view;
+  r.frustum = frustum_cast<double>(view.frustum);
+  r.volume.depth = r.frustum.depth;
+  for (const auto& v : triangles.front()) r.vertices.push_back(reference::input_vertex(v));
+  r.attribute_count = kSceneAttributes;
+  return r;
 }
 
-Subject subject_from_text(const ExplainOptions& options) {
-  const Frustum<double> frustum = frustum_of(options.text);
-  std::vector<TextPrimitive> triangles = read_primitives(options.text, Primitive::triangle);
+template <Space S>
+void set_triangle(const TextPrimitive& text, int attributes, HardCase& hard_case) {
+  hard_case.space = S;
+  for (const auto& v : triangle_of<double, S>(text, attributes)) {
+    hard_case.vertices.push_back(reference::input_vertex(v));
+  }
+  hard_case.attribute_count = attributes;
+}
+
+HardCase case_from_text(const ExplainOptions& options) {
+  HardCase r;
+  r.frustum = frustum_of(options.text);
+  r.volume.depth = r.frustum.depth;
+  const std::vector<TextPrimitive> triangles = read_primitives(options.text, Primitive::triangle);
   if (options.triangle >= triangles.size()) {
     throw InputError(fmt::format("{}: has {} triangles, number {} was asked for", options.text.file,
                                  triangles.size(), options.triangle));
   }
-  return {std::move(triangles[options.triangle]), frustum, options.text.space == "view",
-          options.text.attributes};
+  const TextPrimitive& text = triangles[options.triangle];
+  r.name = fmt::format("{}:{}", options.text.file == "-" ? "standard input" : options.text.file,
+                       text.line);
+  if (options.text.space == "view") {
+    set_triangle<Space::view>(text, options.text.attributes, r);
+  } else {
+    set_triangle<Space::clip>(text, options.text.attributes, r);
+  }
+  return r;
+}
+
+HardCase chosen_case(const ExplainOptions& options) {
+  if (!options.hard_case.empty()) return case_from_catalogue(options);
+  return options.scene.empty() ? case_from_text(options) : case_from_scene(options);
+}
+
+void draw(const std::string& path, const HardCase& hard_case, const std::string& clipper,
+          const std::string& scalar) {
+  const auto contestants = case_contestants(hard_case.primitive, clipper, {scalar});
+  const TruthPolygon truth = truth_polygon(hard_case);
+  const CaseAnswer answer = contestants.front().answer(hard_case, truth);
+  write_case_picture(path, {hard_case, truth, answer, clipper, scalar});
 }
 
 int explain(const ExplainOptions& options) {
-  const AnyContestant chosen = find_contestant(options.selection.clipper, options.text.scalar);
-  const Subject subject =
-      options.scene.empty() ? subject_from_text(options) : subject_from_scene(options);
-  std::visit([&](const auto* contestant) { explain_with(*contestant, subject); }, chosen);
+  if (options.picture) check_picture_path(*options.picture);
+  const HardCase hard_case = chosen_case(options);
+  const std::string& wanted = options.selection.clipper;
+  const std::string clipper =
+      explain_case(hard_case, wanted.empty() ? default_clipper(hard_case.primitive) : wanted,
+                   options.text.scalar);
+  if (options.picture) draw(*options.picture, hard_case, clipper, options.text.scalar);
   return kExitOk;
+}
+
+// An option that a case leaves nothing for, if one was given; else "".
+std::string given_beside_case(const CLI::App& command) {
+  for (const char* option : {"file", "--space", "--attributes", "--perspective", "--frustum",
+                             "--ortho", "--depth", "--scene", "--view", "--triangle"}) {
+    if (command.count(option) > 0) return option;
+  }
+  return {};
+}
+
+void add_case_options(CLI::App& command, ExplainOptions& options) {
+  CLI::Option* hard_case =
+      command
+          .add_option("--case", options.hard_case,
+                      "Take a hard case of the catalogue, such as w_sign/two_behind")
+          ->type_name("NAME");
+  command.add_option("--corpus", options.corpus, "Take the case from this catalogue of your own")
+      ->type_name("FILE|DIR")
+      ->needs(hard_case);
 }
 
 }  // namespace
 
 void add_explain_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
-      "explain", "One triangle step by step in every space, beside the exact answer");
+      "explain", "One primitive beside the exact answer, a triangle step by step in every space");
   command->footer(
-      "The triangle is one of a text (as for `clipscope clip`) or of a scene: --scene, --view and "
-      "--triangle.");
+      "What is explained is a triangle of a text (as for `clipscope clip`), one of a scene: "
+      "--scene,\n"
+      "--view and --triangle, or a hard case of any primitive: --case.");
   const auto options = std::make_shared<ExplainOptions>();
-  options->selection.clipper = "homogeneous/sutherland_hodgman";
+  options->selection.clipper.clear();
   add_primitive_text_options(*command, options->text);
-  command->add_option("--clipper", options->selection.clipper, "Name of a clipper")
+  command
+      ->add_option("--clipper", options->selection.clipper,
+                   "Name of a clipper [of triangles: homogeneous/sutherland_hodgman]")
       ->type_name("NAME");
   command->add_option("--scene", options->scene, "Take the triangle from this scene or mesh file")
       ->type_name("NAME|FILE");
   command->add_option("--view", options->view, "Label of the scene's view [the first]");
   command->add_option("--triangle", options->triangle, "Number of the triangle [0]");
+  add_case_options(*command, *options);
+  command->add_option("--picture", options->picture, "Draw it too: a file .svg, .pdf or .png")
+      ->type_name("FILE");
   command->add_option("--seed", options->selection.seed, "Seed of the random scenes [1]");
   command->add_flag("--quick", options->selection.quick, "The smaller scene of `--quick` runs");
-  command->callback([&action, options] { action = [options] { return explain(*options); }; });
+  command->callback([&action, options, command] {
+    options->beside_case = given_beside_case(*command);
+    action = [options] { return explain(*options); };
+  });
 }
 
 }  // namespace clipscope::experiments

@@ -40,16 +40,6 @@ struct ClipOptions {
 template <class T>
 using PolygonClipper = HomogeneousPolygonClipper<T, kRunTime>;
 
-std::string_view default_clipper(Primitive primitive) {
-  switch (primitive) {
-    case Primitive::point: return PointPop::name;
-    case Primitive::segment: return HomogeneousLiangBarsky::name;
-    case Primitive::triangle: return HomogeneousSutherlandHodgman::name;
-    case Primitive::polygon: break;
-  }
-  return PolygonClipper<float>::name;
-}
-
 // What primitives are clipped against, in one scalar.
 template <class T>
 struct Setting {

@@ -32,16 +32,6 @@ struct ExplainOptions {
   std::optional<std::string> corpus, picture;
 };
 
-std::string default_clipper(Primitive primitive) {
-  switch (primitive) {
-    case Primitive::point: return "point/pop";
-    case Primitive::segment: return "homogeneous/liang_barsky";
-    case Primitive::triangle: return "homogeneous/sutherland_hodgman";
-    case Primitive::polygon: break;
-  }
-  return "homogeneous/polygon";
-}
-
 // Errors: UsageError if something else was chosen too.
 HardCase case_from_catalogue(const ExplainOptions& options) {
   if (!options.beside_case.empty()) {
@@ -118,9 +108,9 @@ int explain(const ExplainOptions& options) {
   if (options.picture) check_picture_path(*options.picture);
   const HardCase hard_case = chosen_case(options);
   const std::string& wanted = options.selection.clipper;
-  const std::string clipper =
-      explain_case(hard_case, wanted.empty() ? default_clipper(hard_case.primitive) : wanted,
-                   options.text.scalar);
+  const std::string clipper = explain_case(
+      hard_case, wanted.empty() ? std::string(default_clipper(hard_case.primitive)) : wanted,
+      options.text.scalar);
   if (options.picture) draw(*options.picture, hard_case, clipper, options.text.scalar);
   return kExitOk;
 }

@@ -13,6 +13,8 @@
 
 #include "experiments/commands/number_list.hpp"
 #include "experiments/errors.hpp"
+#include "spaces/clippers.hpp"
+#include "spaces/homogeneous/polygon.hpp"
 #include "spaces/vertex.hpp"
 
 namespace clipscope::experiments {
@@ -224,6 +226,16 @@ std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
 
 std::string place_of(const PrimitiveTextOptions& options, const TextPrimitive& primitive) {
   return fmt::format("{}:{}", source_name(options), primitive.line);
+}
+
+std::string_view default_clipper(Primitive primitive) {
+  switch (primitive) {
+    case Primitive::point: return PointPop::name;
+    case Primitive::segment: return HomogeneousLiangBarsky::name;
+    case Primitive::triangle: return HomogeneousSutherlandHodgman::name;
+    case Primitive::polygon: break;
+  }
+  return HomogeneousPolygonClipper<float, kRunTime>::name;
 }
 
 }  // namespace clipscope::experiments

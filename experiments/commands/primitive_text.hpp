@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/catalogue/hard_case.hpp"
@@ -78,5 +79,8 @@ template <class T, Space S>
 Triangle<S, T, kRunTime> triangle_of(const TextPrimitive& text, int attributes) {
   return simplex_of<S, T, 3>(vertices_of<T, S>(text, attributes));
 }
+
+// The clipper that is taken where none is named.
+std::string_view default_clipper(Primitive primitive);
 
 }  // namespace clipscope::experiments

@@ -77,6 +77,8 @@ void add_run_command(CLI::App& app, Action& action) {
                       "Names of experiments (see `clipscope list experiments`) [all]");
   add_scene_options(*command, options->selection);
   add_contestant_options(*command, options->selection);
+  command->add_flag("--pictures", options->selection.pictures,
+                    "hard_cases: also a picture (SVG) of every case that a clipper fails on");
   command->add_option("--out", options->out, "Folder for the results [results]")->type_name("DIR");
   add_json_option(*command, options->selection);
   command->callback(

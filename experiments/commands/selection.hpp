@@ -23,6 +23,7 @@ struct Selection {
   std::size_t sample = 0;  // triangles per view; 0: the command's default
   bool quick = false;
   bool json = false;
+  bool pictures = false;  // also those of single cases that fail
 };
 
 // --scene, --seed, --quick, --sample and the camera.

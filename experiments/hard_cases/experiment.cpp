@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 
 #include "experiments/catalogue/catalogue.hpp"
@@ -12,6 +13,7 @@
 #include "experiments/catalogue/mutation_table.hpp"
 #include "experiments/catalogue/ulp_picture.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/hard_cases/case_picture.hpp"
 #include "experiments/hard_cases/lattice_sweep.hpp"
 #include "experiments/hard_cases/verdicts.hpp"
 #include "experiments/render/figure.hpp"
@@ -150,6 +152,30 @@ void add_policy(const CaseSet& set, const std::vector<PolicyTally>& tallies, Tab
   }
 }
 
+// One file for each case, clipper and scalar that fails: cases/THEME_NAME_CLIPPER_SCALAR.svg
+void draw_failures(const ExperimentContext& context, const CaseSet& set, const Verdicts& verdicts) {
+  const std::filesystem::path folder = context.out() / "cases";
+  std::error_code ignored;  // what cannot be made cannot be written to: that says so
+  std::filesystem::create_directories(folder, ignored);
+  std::int64_t drawn = 0;
+  for (std::size_t i = 0; i < set.cases.size(); ++i) {
+    const HardCase& hard_case = *set.cases[i];
+    const TruthPolygon truth = truth_polygon(hard_case);
+    for (std::size_t c = 0; c < set.contestants.size(); ++c) {
+      if (!is_failure(verdicts[i][c].comparison.outcome)) continue;
+      const CaseContestant& contestant = set.contestants[c];
+      std::string name =
+          fmt::format("{}_{}_{}.svg", hard_case.name, contestant.clipper, contestant.scalar);
+      std::replace(name.begin(), name.end(), '/', '_');
+      const CaseAnswer answer = contestant.answer(hard_case, truth);
+      write_case_picture(folder / name,
+                         {hard_case, truth, answer, contestant.clipper, contestant.scalar});
+      ++drawn;
+    }
+  }
+  context.emit_file(folder / fmt::format("({} pictures of {}s)", drawn, to_string(set.primitive)));
+}
+
 void judge_catalogue(const ExperimentContext& context, const std::vector<HardCase>& catalogue) {
   const Selection& selection = context.selection();
   Table all("hard_cases_verdicts", "Every verdict of the catalogue",
@@ -175,6 +201,7 @@ void judge_catalogue(const ExperimentContext& context, const std::vector<HardCas
     Progress progress(fmt::format("hard {}s", to_string(primitive)), set.cases.size());
     const Verdicts verdicts = judge_cases(set, progress);
     context.emit(matrix_table(set, verdicts, selection.scalars));
+    if (selection.pictures) draw_failures(context, set, verdicts);
     add_verdicts(set, verdicts, all);
     add_summary(set, verdicts, summary);
   }

@@ -5,47 +5,12 @@
 
 #include "experiments/contestants/contestant.hpp"
 #include "experiments/errors.hpp"
+#include "experiments/hard_cases/case_input.hpp"
 #include "experiments/measure/bit_promise.hpp"
 #include "spaces/homogeneous/polygon.hpp"
 
 namespace clipscope::experiments {
 namespace {
-
-template <class T, Space S>
-Vertex<S, T, kRunTime> vertex_of(const reference::InputVertex& source, int attributes) {
-  Vertex<S, T, kRunTime> v;
-  for (int i = 0; i < Vertex<S, T, kRunTime>::kDimension; ++i) {
-    v.position[i] = scalar_from<T>(source.position[static_cast<std::size_t>(i)]);
-  }
-  v.attributes.resize(attributes);
-  for (int k = 0; k < attributes; ++k) {
-    v.attributes[k] = scalar_from<T>(source.attributes[static_cast<std::size_t>(k)]);
-  }
-  return v;
-}
-
-template <class T, Space S>
-std::vector<Vertex<S, T, kRunTime>> vertices_of_case(const HardCase& hard_case) {
-  std::vector<Vertex<S, T, kRunTime>> vertices;
-  for (const reference::InputVertex& v : hard_case.vertices) {
-    vertices.push_back(vertex_of<T, S>(v, hard_case.attribute_count));
-  }
-  return vertices;
-}
-
-template <Space S, class T, std::size_t N>
-Simplex<S, T, kRunTime, N> simplex_of(const HardCase& hard_case) {
-  Simplex<S, T, kRunTime, N> simplex;
-  std::ranges::copy(vertices_of_case<T, S>(hard_case), simplex.begin());
-  return simplex;
-}
-
-template <class T>
-Projection<T> projection_of_case(const HardCase& hard_case) {
-  auto projection = projection_from<T>(hard_case.frustum);
-  projection.volume = hard_case.volume;
-  return projection;
-}
 
 template <class T>
 using Answer = std::vector<NdcVertex<T, kRunTime>>;
@@ -61,10 +26,10 @@ template <class T, std::size_t N>
 Answer<T> clip_case(const Contestant<T, N>& contestant, const HardCase& hard_case) {
   NdcPolygon<T, kRunTime> out;
   if (hard_case.space == Space::view) {
-    contestant.view_one(projection_of_case<T>(hard_case), simplex_of<Space::view, T, N>(hard_case),
+    contestant.view_one(case_projection<T>(hard_case), case_simplex<T, Space::view, N>(hard_case),
                         out);
   } else {
-    contestant.clip_one(hard_case.volume, simplex_of<Space::clip, T, N>(hard_case), out);
+    contestant.clip_one(hard_case.volume, case_simplex<T, Space::clip, N>(hard_case), out);
   }
   return {out.begin(), out.end()};
 }
@@ -74,9 +39,9 @@ Answer<T> clip_polygon_case(const HardCase& hard_case) {
   HomogeneousPolygonClipper<T, kRunTime> clip;
   std::span<const NdcVertex<T, kRunTime>> out;
   if (hard_case.space == Space::view) {
-    out = clip(projection_of_case<T>(hard_case), vertices_of_case<T, Space::view>(hard_case));
+    out = clip(case_projection<T>(hard_case), case_vertices<T, Space::view>(hard_case));
   } else {
-    out = clip(hard_case.volume, vertices_of_case<T, Space::clip>(hard_case));
+    out = clip(hard_case.volume, case_vertices<T, Space::clip>(hard_case));
   }
   return {out.begin(), out.end()};
 }
@@ -114,11 +79,11 @@ PromiseCheck check_promise(const Contestant<T>& contestant, const HardCase& hard
   const Answer<T> answer = clip_case(contestant, hard_case);
   PromiseCheck check = checker.check<T, kRunTime>(contestant.promise, triangle_of(hard_case),
                                                   std::span<const NdcVertex<T, kRunTime>>(answer));
-  const std::string broken =
-      hard_case.space == Space::view
-          ? broken_bits<T>(contestant, hard_case.frustum, hard_case.volume,
-                           simplex_of<Space::view, T, 3>(hard_case))
-          : broken_bits<T>(contestant, hard_case.volume, simplex_of<Space::clip, T, 3>(hard_case));
+  const std::string broken = hard_case.space == Space::view
+                                 ? broken_bits<T>(contestant, hard_case.frustum, hard_case.volume,
+                                                  case_simplex<T, Space::view, 3>(hard_case))
+                                 : broken_bits<T>(contestant, hard_case.volume,
+                                                  case_simplex<T, Space::clip, 3>(hard_case));
   break_by_bits(check, broken);
   return check;
 }

@@ -36,8 +36,8 @@ Crossings crossings_of(const Scene& scene, const View& view) {
   view_triangles(scene, view, 0, triangles);
   Crossings found;
   for (const SceneTriangle& t : triangles) {
-    const auto code = [&](int i) { return view_outcode(view.frustum, t[i].position); };
-    const TriangleOutcode both = combine(code(0), code(1), code(2));
+    const auto code = [&](std::size_t i) { return view_outcode(view.frustum, t[i].position); };
+    const OutcodeSummary both = summarize_outcodes(ClipVolume{}, t, code);
     const Outcode crossed = both.any & ~both.all;
     found.none += crossed == 0;
     found.near += (crossed & bit(Plane::near)) != 0;
@@ -150,8 +150,10 @@ TEST_CASE("scenes: the soup is 60 % inside, 35 % outside and 5 % straddling") {
   const Frustum<double> frustum = frustum_cast<double>(scene.views[0].frustum);
   view_triangles(scene, scene.views[0], 0, triangles);
   for (const SceneTriangle& t : triangles) {
-    const auto code = [&](int i) { return view_outcode(frustum, Vec3<double>(t[i].position)); };
-    const TriangleOutcode both = combine(code(0), code(1), code(2));
+    const auto code = [&](std::size_t i) {
+      return view_outcode(frustum, Vec3<double>(t[i].position));
+    };
+    const OutcodeSummary both = summarize_outcodes(ClipVolume{}, t, code);
     inside += both.any == 0;
     outside += both.all != 0;
   }

@@ -48,8 +48,8 @@ Crossings count_crossings(const Mesh& mesh, const View& view) {
   view_triangles(scene, view, 0, triangles);
   Crossings found;
   for (const SceneTriangle& t : triangles) {
-    const auto code = [&](int i) { return view_outcode(view.frustum, t[i].position); };
-    const TriangleOutcode both = combine(code(0), code(1), code(2));
+    const auto code = [&](std::size_t i) { return view_outcode(view.frustum, t[i].position); };
+    const OutcodeSummary both = summarize_outcodes(ClipVolume{}, t, code);
     const Outcode crossed = both.any & ~both.all;
     found.near += (crossed & bit(Plane::near)) != 0;
     found.far += (crossed & bit(Plane::far)) != 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/measure/timing.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -67,10 +69,12 @@ class RunnerOf final : public Runner {
       const PromiseChecker checker(frustum_cast<double>(source_[b].view.frustum));
       out_.clear();
       contestant_.view(projections_[b], std::span(triangles_[b]).first(count), out_);
-      for (std::size_t i = 0; i < count; ++i) {
-        const auto input = reference::input_triangle(source_[b].triangles[i]);
-        const PromiseCheck check =
-            checker.check<T, kSceneAttributes>(contestant_.promise, input, out_[i]);
+      std::vector<PromiseCheck> checks(count);
+      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+        checks[i] = checker.check<T, kSceneAttributes>(
+            contestant_.promise, reference::input_triangle(source_[b].triangles[i]), out_[i]);
+      });
+      for (const PromiseCheck& check : checks) {
         if (check.verdict == PromiseVerdict::broken) return check.reason;
       }
     }

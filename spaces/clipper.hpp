@@ -17,7 +17,9 @@
 //     way, nothing comes out. 1/w may overflow to infinity.
 #pragma once
 
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <string_view>
 
 #include "spaces/polygon.hpp"
@@ -102,6 +104,64 @@ concept Clipper = std::is_empty_v<C> && std::default_initializable<C> && require
   { C::source } -> std::convertible_to<std::string_view>;   // authors, title, year
   { C::promise } -> std::convertible_to<Promise>;
 } && ClipsViewSpace<C, float, 4, N>;
+
+// The call operators of a clipper that starts at clip coordinates. What it does there is the static
+// Steps::clip(volume, primitive, out), which says by its types what it takes. Steps may be the clipper
+// itself.
+template <class Steps>
+struct StartsInClipSpace {
+  template <Scalar T, int K, std::size_t N>
+  requires requires(const ClipVolume& volume, const Simplex<Space::clip, T, K, N>& primitive,
+                    NdcPolygon<T, K>& out) {
+    Steps::clip(volume, primitive, out);
+  }
+  constexpr void operator()(const Projection<T>& projection,
+                            const Simplex<Space::view, T, K, N>& primitive,
+                            NdcPolygon<T, K>& out) const {
+    Steps::clip(projection.volume, to_clip(projection, primitive), out);
+  }
+
+  template <Scalar T, int K, std::size_t N>
+  requires requires(const ClipVolume& volume, const Simplex<Space::clip, T, K, N>& primitive,
+                    NdcPolygon<T, K>& out) {
+    Steps::clip(volume, primitive, out);
+  }
+  constexpr void operator()(const ClipVolume& volume,
+                            const Simplex<Space::clip, T, K, N>& primitive,
+                            NdcPolygon<T, K>& out) const {
+    Steps::clip(volume, primitive, out);
+  }
+};
+
+// The same for triangles whose attributes are not copied before they are needed:
+// Steps::clip(volume, positions, source, out), where `source` gives the attributes.
+template <class Steps>
+struct StartsAtClipPositions {
+  template <Scalar T, int K>
+  requires requires(const ClipVolume& volume, const std::array<Vec4<T>, 3>& positions,
+                    const ViewTriangle<T, K>& source, NdcPolygon<T, K>& out) {
+    Steps::clip(volume, positions, source, out);
+  }
+  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
+                            NdcPolygon<T, K>& out) const {
+    Steps::clip(
+        projection.volume,
+        {to_clip(projection, triangle[0].position), to_clip(projection, triangle[1].position),
+         to_clip(projection, triangle[2].position)},
+        triangle, out);
+  }
+
+  template <Scalar T, int K>
+  requires requires(const ClipVolume& volume, const std::array<Vec4<T>, 3>& positions,
+                    const ClipTriangle<T, K>& source, NdcPolygon<T, K>& out) {
+    Steps::clip(volume, positions, source, out);
+  }
+  constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
+                            NdcPolygon<T, K>& out) const {
+    Steps::clip(volume, {triangle[0].position, triangle[1].position, triangle[2].position},
+                triangle, out);
+  }
+};
 
 // A list of types, for the lists of clippers and scalars.
 template <class... Ts>

@@ -80,21 +80,4 @@ constexpr void divide(const ClipSegment<T, K>& segment, NdcPolygon<T, K>& out) {
   keep_if_segment(out);
 }
 
-// The call operators of a segment clipper that starts at clip coordinates; what it does there is
-// Steps::clip(volume, segment, out).
-template <class Steps>
-struct SegmentsFromClipSpace {
-  template <Scalar T, int K>
-  constexpr void operator()(const Projection<T>& projection, const ViewSegment<T, K>& segment,
-                            NdcPolygon<T, K>& out) const {
-    Steps::clip(projection.volume, to_clip(projection, segment), out);
-  }
-
-  template <Scalar T, int K>
-  constexpr void operator()(const ClipVolume& volume, const ClipSegment<T, K>& segment,
-                            NdcPolygon<T, K>& out) const {
-    Steps::clip(volume, segment, out);
-  }
-};
-
 }  // namespace clipscope

@@ -34,7 +34,7 @@
 
 namespace clipscope {
 
-struct DistanceMatrix {
+struct DistanceMatrix : StartsAtClipPositions<DistanceMatrix> {
   static constexpr std::string_view name = "barycentric/distance_matrix";
   static constexpr std::string_view summary =
       "every vertex from the three original ones, every decision a minor of the distance matrix";
@@ -44,44 +44,7 @@ struct DistanceMatrix {
   static constexpr Promise promise{
       .ulps = kProjectUlps + 14, .watertight = true, .rotation_invariant = false};
 
-  template <HasSumOfProducts T, int K>
-  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
-    clip(projection.volume,
-         {to_clip(projection, triangle[0].position), to_clip(projection, triangle[1].position),
-          to_clip(projection, triangle[2].position)},
-         triangle, out);
-  }
-
-  template <HasSumOfProducts T, int K>
-  constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
-    clip(volume, {triangle[0].position, triangle[1].position, triangle[2].position}, triangle, out);
-  }
-
- private:
-  static constexpr Outcode kNoPlane = 0;
-
-  // A line in barycentric coordinates, inside where line . lambda >= 0, and the plane that it comes
-  // from (no bit: an edge of the triangle).
-  template <Scalar T>
-  struct Line {
-    std::array<T, 3> of;
-    Outcode plane = kNoPlane;
-  };
-
-  // A vertex, the planes that it lies on by construction, and the line from it to the next vertex.
-  template <Scalar T>
-  struct Corner {
-    std::array<T, 3> lambda;
-    Outcode on = kNoPlane;
-    Line<T> next;
-  };
-
-  template <Scalar T>
-  using Corners = VertexList<Corner<T>>;
-
-  template <Scalar T, Space S, int K>
+  template <HasSumOfProducts T, Space S, int K>
   static constexpr void clip(const ClipVolume& volume, const std::array<Vec4<T>, 3>& positions,
                              const Triangle<S, T, K>& source, NdcPolygon<T, K>& out) {
     const OutcodeSummary code = summarize_outcodes(
@@ -108,6 +71,28 @@ struct DistanceMatrix {
     out.drop_if_degenerate();
     clear_if_overflowed(out);
   }
+
+ private:
+  static constexpr Outcode kNoPlane = 0;
+
+  // A line in barycentric coordinates, inside where line . lambda >= 0, and the plane that it comes
+  // from (no bit: an edge of the triangle).
+  template <Scalar T>
+  struct Line {
+    std::array<T, 3> of;
+    Outcode plane = kNoPlane;
+  };
+
+  // A vertex, the planes that it lies on by construction, and the line from it to the next vertex.
+  template <Scalar T>
+  struct Corner {
+    std::array<T, 3> lambda;
+    Outcode on = kNoPlane;
+    Line<T> next;
+  };
+
+  template <Scalar T>
+  using Corners = VertexList<Corner<T>>;
 
   template <Scalar T>
   static constexpr Corners<T> whole_triangle() {

@@ -14,7 +14,7 @@
 
 namespace clipscope {
 
-struct CvvCohenSutherland : SegmentsFromClipSpace<NearCutThenCvv<CohenSutherland>> {
+struct CvvCohenSutherland : StartsInClipSpace<NearCutThenCvv<CohenSutherland>> {
   static constexpr std::string_view name = "cvv/cohen_sutherland";
   static constexpr std::string_view summary =
       "homogeneous cut by the near plane, divide, then Cohen-Sutherland with 6-bit outcodes";

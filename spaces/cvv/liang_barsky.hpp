@@ -19,7 +19,7 @@
 namespace clipscope {
 
 template <DivisionPolicy kDivision>
-struct CvvLiangBarskyWith : SegmentsFromClipSpace<NearCutThenCvv<LiangBarsky<kDivision>>> {
+struct CvvLiangBarskyWith : StartsInClipSpace<NearCutThenCvv<LiangBarsky<kDivision>>> {
   static constexpr bool kClassical = kDivision == DivisionPolicy::always;
   static constexpr std::string_view name =
       kClassical ? "cvv/liang_barsky" : "cvv/liang_barsky_division_free";
@@ -38,7 +38,7 @@ struct CvvLiangBarskyWith : SegmentsFromClipSpace<NearCutThenCvv<LiangBarsky<kDi
 using CvvLiangBarsky = CvvLiangBarskyWith<DivisionPolicy::always>;
 using CvvLiangBarskyDivisionFree = CvvLiangBarskyWith<DivisionPolicy::when_shortened>;
 
-struct CvvLiangBarskyNaive : SegmentsFromClipSpace<DivideThenCvv<LiangBarskyClassical>> {
+struct CvvLiangBarskyNaive : StartsInClipSpace<DivideThenCvv<LiangBarskyClassical>> {
   static constexpr std::string_view name = "cvv/liang_barsky_naive";
   static constexpr std::string_view summary = "divide whatever w is, then Liang-Barsky";
   static constexpr std::string_view source =

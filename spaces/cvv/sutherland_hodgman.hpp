@@ -97,7 +97,7 @@ constexpr void divide_and_cut(const ClipVolume& volume, Outcode planes,
 }  // namespace cvv
 
 template <AttributeInterpolation kAttributes>
-struct CvvSutherlandHodgman {
+struct CvvSutherlandHodgman : StartsInClipSpace<CvvSutherlandHodgman<kAttributes>> {
   static constexpr bool kAffine = kAttributes == AttributeInterpolation::affine;
   static constexpr std::string_view name = kAffine ? "cvv/naive" : "cvv/perspective";
   static constexpr std::string_view summary =
@@ -113,14 +113,8 @@ struct CvvSutherlandHodgman {
                                    .clip_distances = !kAffine};
 
   template <Scalar T, int K>
-  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
-    (*this)(projection.volume, to_clip(projection, triangle), out);
-  }
-
-  template <Scalar T, int K>
-  constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
+  static constexpr void clip(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
+                             NdcPolygon<T, K>& out) {
     out.clear();
     if (!has_finite_positions(triangle)) return;
     ClipPolygon<T, K> polygon;
@@ -133,7 +127,7 @@ struct CvvSutherlandHodgman {
 using CvvNaive = CvvSutherlandHodgman<AttributeInterpolation::affine>;
 using CvvPerspective = CvvSutherlandHodgman<AttributeInterpolation::perspective>;
 
-struct CvvNearFirst {
+struct CvvNearFirst : StartsInClipSpace<CvvNearFirst> {
   static constexpr std::string_view name = "cvv/near_first";
   static constexpr std::string_view summary =
       "homogeneous cut by the near plane, divide, then Sutherland-Hodgman in NDC";
@@ -145,14 +139,8 @@ struct CvvNearFirst {
                                    .depth_clamp = false};
 
   template <Scalar T, int K>
-  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
-    (*this)(projection.volume, to_clip(projection, triangle), out);
-  }
-
-  template <Scalar T, int K>
-  constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
+  static constexpr void clip(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
+                             NdcPolygon<T, K>& out) {
     out.clear();
     if (!has_finite_positions(triangle)) return;
     ClipPolygon<T, K> polygon, other;

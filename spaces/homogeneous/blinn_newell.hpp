@@ -19,7 +19,7 @@
 
 namespace clipscope {
 
-struct BlinnNewell {
+struct BlinnNewell : StartsInClipSpace<BlinnNewell> {
   static constexpr std::string_view name = "homogeneous/blinn_newell";
   static constexpr std::string_view summary =
       "Sutherland-Hodgman in clip space on boundary coordinates that are interpolated with the "
@@ -29,14 +29,8 @@ struct BlinnNewell {
   static constexpr Promise promise{.ulps = kChainUlps, .watertight = true};
 
   template <Scalar T, int K>
-  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
-    (*this)(projection.volume, to_clip(projection, triangle), out);
-  }
-
-  template <Scalar T, int K>
-  constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
+  static constexpr void clip(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
+                             NdcPolygon<T, K>& out) {
     out.clear();
     if (!has_finite_positions(triangle)) return;
     std::array<BoundedVertex<T, K>, 3> vertices;

@@ -13,7 +13,7 @@
 
 namespace clipscope {
 
-struct HomogeneousCohenSutherland : SegmentsFromClipSpace<ClipSegmentThenDivide<CohenSutherland>> {
+struct HomogeneousCohenSutherland : StartsInClipSpace<ClipSegmentThenDivide<CohenSutherland>> {
   static constexpr std::string_view name = "homogeneous/cohen_sutherland";
   static constexpr std::string_view summary =
       "Cohen-Sutherland in clip space with 6-bit outcodes, then divide";

@@ -23,7 +23,7 @@ namespace clipscope {
 
 inline constexpr int kGuardBand = 16;  // half width of the band, in half widths of the volume
 
-struct HomogeneousGuardBand {
+struct HomogeneousGuardBand : StartsInClipSpace<HomogeneousGuardBand> {
   static constexpr std::string_view name = "homogeneous/guard_band";
   static constexpr std::string_view summary =
       "near and far cut in clip space, sides only beyond a guard band, the rest scissored";
@@ -33,14 +33,8 @@ struct HomogeneousGuardBand {
                                    .amplification = Promise::Amplification::w_ratio};
 
   template <Scalar T, int K>
-  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
-    (*this)(projection.volume, to_clip(projection, triangle), out);
-  }
-
-  template <Scalar T, int K>
-  constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
+  static constexpr void clip(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
+                             NdcPolygon<T, K>& out) {
     out.clear();
     const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
       return clip_outcode(volume.depth, triangle[i].position);

@@ -15,7 +15,7 @@ namespace clipscope {
 
 template <DivisionPolicy kDivision>
 struct HomogeneousLiangBarskyWith
-    : SegmentsFromClipSpace<ClipSegmentThenDivide<LiangBarsky<kDivision>>> {
+    : StartsInClipSpace<ClipSegmentThenDivide<LiangBarsky<kDivision>>> {
   static constexpr bool kClassical = kDivision == DivisionPolicy::always;
   static constexpr std::string_view name =
       kClassical ? "homogeneous/liang_barsky" : "homogeneous/liang_barsky_division_free";

@@ -18,7 +18,7 @@
 
 namespace clipscope {
 
-struct HomogeneousPipeline {
+struct HomogeneousPipeline : StartsInClipSpace<HomogeneousPipeline> {
   static constexpr std::string_view name = "homogeneous/pipeline";
   static constexpr std::string_view summary =
       "Sutherland-Hodgman in clip space as a stream through one stage per plane";
@@ -27,14 +27,8 @@ struct HomogeneousPipeline {
   static constexpr Promise promise{.ulps = kChainUlps, .watertight = true};
 
   template <Scalar T, int K>
-  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
-    (*this)(projection.volume, to_clip(projection, triangle), out);
-  }
-
-  template <Scalar T, int K>
-  constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
+  static constexpr void clip(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
+                             NdcPolygon<T, K>& out) {
     out.clear();
     if (!has_finite_positions(triangle)) return;
     Stream<T, K> stream(volume);

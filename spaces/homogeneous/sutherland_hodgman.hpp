@@ -48,7 +48,8 @@ constexpr float w_plane_epsilon(WPlane plane) {
 }
 
 template <PlaneOrder kOrder, WPlane kWPlane = WPlane::none>
-struct HomogeneousSutherlandHodgmanWith {
+struct HomogeneousSutherlandHodgmanWith
+    : StartsAtClipPositions<HomogeneousSutherlandHodgmanWith<kOrder, kWPlane>> {
   static constexpr bool kHasEpsilon = w_plane_epsilon(kWPlane) > 0;
 
   static constexpr std::string_view name = [] {
@@ -81,23 +82,6 @@ struct HomogeneousSutherlandHodgmanWith {
   static constexpr Promise promise{
       .covers = !kHasEpsilon, .ulps = kChainUlps, .scale_invariant = !kHasEpsilon};
 
-  template <Scalar T, int K>
-  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
-    clip(projection.volume,
-         {to_clip(projection, triangle[0].position), to_clip(projection, triangle[1].position),
-          to_clip(projection, triangle[2].position)},
-         triangle, out);
-  }
-
-  template <Scalar T, int K>
-  constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
-    clip(volume, {triangle[0].position, triangle[1].position, triangle[2].position}, triangle, out);
-  }
-
- private:
-  // `source` gives the attributes: they are not copied before they are needed.
   template <Scalar T, Space S, int K>
   static constexpr void clip(const ClipVolume& volume, const std::array<Vec4<T>, 3>& positions,
                              const Triangle<S, T, K>& source, NdcPolygon<T, K>& out) {
@@ -116,6 +100,7 @@ struct HomogeneousSutherlandHodgmanWith {
     }
   }
 
+ private:
   template <Scalar T>
   static constexpr T w_distance(const Vec4<T>& position) {
     const T epsilon(w_plane_epsilon(kWPlane));

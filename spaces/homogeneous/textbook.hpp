@@ -17,7 +17,7 @@
 
 namespace clipscope {
 
-struct Textbook {
+struct Textbook : StartsInClipSpace<Textbook> {
   static constexpr std::string_view name = "textbook";
   static constexpr std::string_view summary =
       "Sutherland-Hodgman over six plane vectors, dynamic arrays copied at each plane (the "
@@ -28,14 +28,8 @@ struct Textbook {
   static constexpr Promise promise{.ulps = kChainUlps};
 
   template <Scalar T, int K>
-  void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
-                  NdcPolygon<T, K>& out) const {
-    (*this)(projection.volume, to_clip(projection, triangle), out);
-  }
-
-  template <Scalar T, int K>
-  void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
-                  NdcPolygon<T, K>& out) const {
+  static void clip(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
+                   NdcPolygon<T, K>& out) {
     out.clear();
     if (!has_finite_positions(triangle)) return;
     std::vector<ClipVertex<T, K>> polygon(triangle.begin(), triangle.end());

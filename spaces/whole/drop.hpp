@@ -18,7 +18,7 @@ namespace clipscope {
 enum class DropWhen { any_outside, all_outside };
 
 template <DropWhen kDropWhen>
-struct WholeTriangle {
+struct WholeTriangle : StartsInClipSpace<WholeTriangle<kDropWhen>> {
   static constexpr bool kAny = kDropWhen == DropWhen::any_outside;
   static constexpr std::string_view name = kAny ? "whole/any_outside" : "whole/all_outside";
   static constexpr std::string_view summary =
@@ -33,14 +33,8 @@ struct WholeTriangle {
                                    .watertight = !kAny};
 
   template <Scalar T, int K>
-  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
-    (*this)(projection.volume, to_clip(projection, triangle), out);
-  }
-
-  template <Scalar T, int K>
-  constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
-                            NdcPolygon<T, K>& out) const {
+  static constexpr void clip(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
+                             NdcPolygon<T, K>& out) {
     const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
       return clip_outcode(volume.depth, triangle[i].position);
     });

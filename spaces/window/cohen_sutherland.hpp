@@ -23,7 +23,7 @@ constexpr std::optional<Segment2<T>> cohen_sutherland(const Rectangle<T>& rectan
 
 }  // namespace window
 
-struct WindowCohenSutherland : SegmentsFromClipSpace<DepthCutThenWindow<CohenSutherland>> {
+struct WindowCohenSutherland : StartsInClipSpace<DepthCutThenWindow<CohenSutherland>> {
   static constexpr std::string_view name = "window/cohen_sutherland";
   static constexpr std::string_view summary =
       "near and far cut in clip space, divide, then Cohen-Sutherland in 2D with 4-bit outcodes";

@@ -29,7 +29,7 @@ constexpr std::optional<Segment2<T>> liang_barsky_division_free(const Rectangle<
 }  // namespace window
 
 template <DivisionPolicy kDivision>
-struct WindowLiangBarskyWith : SegmentsFromClipSpace<DepthCutThenWindow<LiangBarsky<kDivision>>> {
+struct WindowLiangBarskyWith : StartsInClipSpace<DepthCutThenWindow<LiangBarsky<kDivision>>> {
   static constexpr bool kClassical = kDivision == DivisionPolicy::always;
   static constexpr std::string_view name =
       kClassical ? "window/liang_barsky" : "window/liang_barsky_division_free";

@@ -96,7 +96,7 @@ constexpr std::optional<Segment2<T>> nicholl_lee_nicholl(const Rectangle<T>& rec
 
 }  // namespace window
 
-struct WindowNichollLeeNicholl : SegmentsFromClipSpace<DepthCutThenWindow<NichollLeeNicholl>> {
+struct WindowNichollLeeNicholl : StartsInClipSpace<DepthCutThenWindow<NichollLeeNicholl>> {
   static constexpr std::string_view name = "window/nicholl_lee_nicholl";
   static constexpr std::string_view summary =
       "near and far cut in clip space, divide, then Nicholl-Lee-Nicholl in 2D";

@@ -19,13 +19,6 @@ using experiments::ScalarTraits;
 namespace {
 
 template <class C, class T>
-NdcPolygon<T, K> clip(const ClipTriangle<T, K>& triangle, const ClipVolume& volume = {}) {
-  NdcPolygon<T, K> out;
-  C{}(volume, triangle, out);
-  return out;
-}
-
-template <class C, class T>
 NdcPolygon<T, K> clip_view(const Corners& corners) {
   NdcPolygon<T, K> out;
   C{}(Projection<T>(Frustum<T>{}), view_triangle<T>(corners), out);

@@ -98,6 +98,13 @@ using FullClippers = Kept<AllClippers>::View;
 // The clippers that keep it for every clip-space triangle.
 using FullHomogeneousClippers = Kept<AllClippers>::Clip;
 
+template <class C, class T>
+NdcPolygon<T, K> clip(const ClipTriangle<T, K>& triangle, const ClipVolume& volume = {}) {
+  NdcPolygon<T, K> out;
+  C{}(volume, triangle, out);
+  return out;
+}
+
 // Equal, a NaN also to another.
 template <class T>
 bool same(const T& a, const T& b) {

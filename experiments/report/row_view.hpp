@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A row of a table read back, its cells by the keys of their columns: what summaries, plots and findings
+// are made from.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/report/table.hpp"
+
+namespace clipscope::experiments {
+
+// Throws std::logic_error naming table and key if there is no such column or its cell holds something
+// else: a mistake in the program.
+class RowView {
+ public:
+  RowView(const Table& table, std::size_t row) : table_(&table), row_(&table.rows()[row]) {}
+
+  const std::string& text(std::string_view key) const { return value<std::string>(key); }
+  std::int64_t count(std::string_view key) const { return value<std::int64_t>(key); }
+  double number(std::string_view key) const { return value<double>(key); }
+
+ private:
+  template <class T>
+  const T& value(std::string_view key) const {
+    for (std::size_t c = 0; c < row_->size(); ++c) {
+      if (table_->columns()[c].key != key) continue;
+      if (const T* v = std::get_if<T>(&(*row_)[c])) return *v;
+    }
+    throw std::logic_error("table " + table_->name() + ": no such value in column " +
+                           std::string(key));
+  }
+
+  const Table* table_;
+  const std::vector<Cell>* row_;
+};
+
+inline std::vector<RowView> rows_of(const Table& table) {
+  std::vector<RowView> rows;
+  for (std::size_t i = 0; i < table.rows().size(); ++i) rows.emplace_back(table, i);
+  return rows;
+}
+
+}  // namespace clipscope::experiments

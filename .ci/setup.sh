@@ -20,6 +20,8 @@ packages=(
   libassimp-dev                               # meshes
   libcli11-dev nlohmann-json3-dev libfmt-dev  # command line, output
   libtbb-dev                                  # threads
+  libsqlitecpp-dev libsqlite3-dev             # results store
+  gnuplot-nox                                 # plots
   catch2 libbenchmark-dev                     # tests, timing
 )
 

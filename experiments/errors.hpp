@@ -10,6 +10,7 @@ namespace clipscope::experiments {
 enum ExitCode {
   kExitOk = 0,
   kExitPromiseBroken = 1,  // `verify` found a triangle that breaks the clipper's promise
+  kExitMoved = 1,          // `diff` found a figure that moved
   kExitUsage = 2,          // an option or a name is wrong
   kExitInput = 3,          // a file or a line of input is wrong
   kExitOutput = 4          // results can't be written

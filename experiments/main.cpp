@@ -17,14 +17,17 @@ using namespace clipscope::experiments;
 
 constexpr const char* kFooter = R"(Examples:
   clipscope run                             all default experiments on the built-in scenes
+  clipscope run --resume                    what an interrupted run has left undone
+  clipscope table accuracy --run results    a table of a run
+  clipscope diff results_a results_b        which figures moved
   clipscope compare --scene teapot          every clipper in float and double, one table
   clipscope compare --scene bunny.obj --clipper 'homogeneous/*'
   clipscope verify --clipper cvv/near_first --scalar float
   clipscope render --scene floor --clipper cvv/naive --against exact --out floor.png
   echo '0 0 -2  3 0 -2  0 1 -2' | clipscope clip --space view --perspective 90,1,1,10
 
-Exit codes: 0 done; 1 a promise is broken (verify); 2 wrong option or name; 3 bad input file or
-line; 4 results can't be written.)";
+Exit codes: 0 done; 1 a promise is broken (verify), a figure moved (diff); 2 wrong option or name;
+3 bad input file or line; 4 results can't be written.)";
 
 int report(const char* kind, const std::exception& error, int code) {
   fmt::print(stderr, "clipscope: {}{}\n", kind, error.what());
@@ -56,12 +59,17 @@ int main(int argc, char* argv[]) {
   app.footer(kFooter);
   Action action;
   add_run_command(app, action);
+  add_report_command(app, action);
+  add_table_command(app, action);
+  add_diff_command(app, action);
   add_compare_command(app, action);
   add_verify_command(app, action);
   add_clip_command(app, action);
   add_explain_command(app, action);
   add_render_command(app, action);
+  add_plan_command(app, action);
   add_sweep_command(app, action);
+  add_paper_command(app, action);
   add_list_command(app, action);
   try {
     app.parse(argc, argv);

@@ -13,11 +13,16 @@ using Action = std::function<int()>;
 
 void add_list_command(CLI::App& app, Action& action);
 void add_run_command(CLI::App& app, Action& action);
+void add_table_command(CLI::App& app, Action& action);
+void add_diff_command(CLI::App& app, Action& action);
 void add_sweep_command(CLI::App& app, Action& action);
 void add_compare_command(CLI::App& app, Action& action);
 void add_verify_command(CLI::App& app, Action& action);
 void add_clip_command(CLI::App& app, Action& action);
 void add_explain_command(CLI::App& app, Action& action);
+void add_plan_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
+void add_paper_command(CLI::App& app, Action& action);
+void add_report_command(CLI::App& app, Action& action);
 
 }  // namespace clipscope::experiments

@@ -3,8 +3,10 @@
 // Hard cases: catalogue x clippers x scalars, the families around the cases, NaN and infinity, an
 // exhaustive lattice, ulp grids, and whether the catalogue would notice a bug.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/catalogue/ulp_picture.hpp"
@@ -13,6 +15,7 @@
 #include "experiments/hard_cases/lattice_sweep.hpp"
 #include "experiments/hard_cases/tables.hpp"
 #include "experiments/render/figure.hpp"
+#include "experiments/report/row_view.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -40,11 +43,11 @@ CaseSet case_set(const std::vector<HardCase>& catalogue, Primitive primitive,
 }
 
 // One file for each case, clipper and scalar that fails: cases/THEME_NAME_CLIPPER_SCALAR.svg
-void draw_failures(const ExperimentContext& context, const CaseSet& set, const Verdicts& verdicts) {
+void draw_failures(const ExperimentContext& context, const CaseSet& set, const Verdicts& verdicts,
+                   CellRecord& record) {
   const std::filesystem::path folder = context.out() / "cases";
   std::error_code ignored;  // what cannot be made cannot be written to: that says so
   std::filesystem::create_directories(folder, ignored);
-  std::int64_t drawn = 0;
   for (std::size_t i = 0; i < set.cases.size(); ++i) {
     const HardCase& hard_case = *set.cases[i];
     const TruthPolygon truth = truth_polygon(hard_case);
@@ -57,10 +60,37 @@ void draw_failures(const ExperimentContext& context, const CaseSet& set, const V
       const CaseAnswer answer = contestant.answer(hard_case, truth);
       write_case_picture(folder / name,
                          {hard_case, truth, answer, contestant.clipper, contestant.scalar});
-      ++drawn;
+      record.pictures.push_back(
+          {"cases/" + name,
+           fmt::format("{}: {} in {}", hard_case.name, contestant.clipper, contestant.scalar)});
     }
   }
-  context.emit_file(folder / fmt::format("({} pictures of {}s)", drawn, to_string(set.primitive)));
+}
+
+std::int64_t failures_in_float(const Table& summary, const std::string& clipper) {
+  for (const RowView& row : rows_of(summary)) {
+    if (row.text("primitive") == "triangle" && row.text("clipper") == clipper &&
+        row.text("scalar") == "float") {
+      return row.count("failures");
+    }
+  }
+  return -1;
+}
+
+// How often the usual clipper of each space fails on triangles in float.
+std::string finding_of(const Table& summary) {
+  std::vector<std::string> parts;
+  for (const auto& [space, clipper] :
+       {std::pair{"view space", "view/sutherland_hodgman"},
+        std::pair{"clip space", "homogeneous/sutherland_hodgman"},
+        std::pair{"the CVV (near plane first)", "cvv/near_first"},
+        std::pair{"the CVV (divide first)", "cvv/naive"},
+        std::pair{"the distance matrix", "barycentric/distance_matrix"}}) {
+    const std::int64_t failures = failures_in_float(summary, clipper);
+    if (failures >= 0) parts.push_back(fmt::format("{} {}", space, failures));
+  }
+  return fmt::format("Triangles of the catalogue that float clipping gets wrong: {}.",
+                     fmt::join(parts, ", "));
 }
 
 void judge_catalogue(const ExperimentContext& context, const std::vector<HardCase>& catalogue) {
@@ -70,16 +100,23 @@ void judge_catalogue(const ExperimentContext& context, const std::vector<HardCas
   for (const Primitive primitive : kPrimitives) {
     const CaseSet set = case_set(catalogue, primitive, selection, selection.scalars);
     if (set.contestants.empty()) continue;
-    Progress progress(fmt::format("hard {}s", to_string(primitive)), set.cases.size());
-    const Verdicts verdicts = judge_cases(set, progress);
-    context.emit(matrix_table(set, verdicts, selection.scalars));
-    if (selection.pictures) draw_failures(context, set, verdicts);
-    add_verdicts(set, verdicts, all);
-    add_summary(set, verdicts, summary);
+    Table matrix = matrix_table(set, selection.scalars);
+    const auto judge = [&](CellRecord& record) {
+      Progress progress(fmt::format("hard {}s", to_string(primitive)), set.cases.size());
+      const Verdicts verdicts = judge_cases(set, progress);
+      add_matrix(set, verdicts, selection.scalars, matrix);
+      add_verdicts(set, verdicts, all);
+      add_summary(set, verdicts, summary);
+      if (selection.pictures) draw_failures(context, set, verdicts, record);
+    };
+    context.cell(fmt::format("verdicts on {}s", to_string(primitive)), {&matrix, &all, &summary},
+                 judge);
+    context.emit(matrix);
   }
-  all.write(context.out());
+  if (selection.pictures) context.emit_file(context.out() / "cases" / "*.svg");
+  context.emit(all);
   context.emit(summary);
-  context.emit_file(context.out() / "hard_cases_verdicts.{md,csv,tex}");
+  context.finding(finding_of(summary));
 }
 
 void judge_all_families(const ExperimentContext& context, const std::vector<HardCase>& catalogue) {
@@ -90,38 +127,44 @@ void judge_all_families(const ExperimentContext& context, const std::vector<Hard
     const CaseSet set =
         case_set(catalogue, primitive, selection, binary_formats(selection.scalars));
     if (set.contestants.empty()) continue;
-    Progress progress(fmt::format("families of {}s", to_string(primitive)), 2 * set.cases.size());
-    add_families(set, judge_families(set, progress), families);
-    add_policy(set, judge_special_values(set, progress), policy);
+    const std::string name = fmt::format("families of {}s", to_string(primitive));
+    context.cell(name, {&families, &policy}, [&](CellRecord&) {
+      Progress progress(name, 2 * set.cases.size());
+      add_families(set, judge_families(set, progress), families);
+      add_policy(set, judge_special_values(set, progress), policy);
+    });
   }
   context.emit(families);
   context.emit(policy);
 }
 
-void show_grid(const ExperimentContext& context, const UlpGrid& grid, Table& table) {
-  const SignMap exact = sign_map(grid, grid.exact);
-  for (const Predicate& predicate : grid.predicates) {
-    const SignCounts counts = compare(sign_map(grid, predicate.sign_of), exact);
-    table.add_row({grid.title, predicate.title, counts.right, counts.opposite, counts.false_zero,
-                   counts.missed_zero});
+void show_signs(const ExperimentContext& context) {
+  std::vector<UlpGrid> grids;
+  for (const PlaneGrid& grid : plane_grids()) grids.push_back(grid.grid);
+  grids.push_back(edge_grid().grid);
+  Table table = signs_table();
+  for (const UlpGrid& grid : grids) {
+    const std::string file = fmt::format("signs_{}.png", grid.name);
+    context.cell(fmt::format("signs {}", grid.name), {&table}, [&](CellRecord& record) {
+      add_signs(grid, table);
+      write_png(context.out() / file, ulp_picture(grid), grid.title);
+      record.pictures.push_back({file, "Signs of plane predicates: " + grid.title});
+    });
+    context.emit_file(context.out() / file);
   }
-  const std::filesystem::path path = context.out() / fmt::format("signs_{}.png", grid.name);
-  write_png(path, ulp_picture(grid), grid.title);
-  context.emit_file(path);
+  context.emit(table);
 }
 
-void show_signs(const ExperimentContext& context) {
-  Table table(
-      "hard_cases_signs",
-      "Signs of plane predicates on 256 x 256 neighbouring floats around a point of a plane",
-      {{"grid", "grid"},
-       {"predicate", "predicate"},
-       {"right", "right"},
-       {"opposite", "opposite"},
-       {"false_zero", "false zero"},
-       {"missed_zero", "missed zero"}});
-  for (const PlaneGrid& grid : plane_grids()) show_grid(context, grid.grid, table);
-  show_grid(context, edge_grid().grid, table);
+void try_mutants(const ExperimentContext& context, const std::vector<HardCase>& catalogue) {
+  Table table = mutants_table();
+  context.cell("mutants", {&table}, [&](CellRecord&) { add_mutants(catalogue, table); });
+  context.emit(table);
+}
+
+void sweep_small_lattice(const ExperimentContext& context) {
+  Table table = lattice_table("small", context.selection());
+  context.cell("lattice small", {&table},
+               [&](CellRecord&) { add_lattice("small", context.selection(), table); });
   context.emit(table);
 }
 
@@ -130,11 +173,11 @@ void show_signs(const ExperimentContext& context) {
 void run_hard_cases(const ExperimentContext& context) {
   const std::vector<HardCase>& catalogue = builtin_catalogue();
   judge_catalogue(context, catalogue);
-  context.emit(mutants_table(catalogue));
+  try_mutants(context, catalogue);
   show_signs(context);
   if (binary_formats(context.selection().scalars).empty()) return;
   judge_all_families(context, catalogue);
-  context.emit(sweep_lattice("small", context.selection()));
+  sweep_small_lattice(context);
 }
 
 }  // namespace clipscope::experiments

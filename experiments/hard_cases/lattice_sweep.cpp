@@ -34,9 +34,7 @@ Triangle<S, float, kSceneAttributes> triangle_at(const std::array<std::array<flo
   return {vertex_at<S>(0, p[0]), vertex_at<S>(1, p[1]), vertex_at<S>(2, p[2])};
 }
 
-Table sweep_table(const std::string& name, const std::string& title,
-                  const std::vector<AnyContestant>& contestants,
-                  const std::vector<SweepTally>& tallies) {
+Table sweep_table(const std::string& name, const std::string& title) {
   std::vector<Column> columns = {{"clipper", "clipper"},
                                  {"scalar", "scalar"},
                                  {"triangles", "triangles"},
@@ -51,6 +49,14 @@ Table sweep_table(const std::string& name, const std::string& title,
                                  {"worst", "largest error on"},
                                  {"failing", "fails on"}});
   Table table(name, title, columns);
+  table.add_note(
+      "Outcomes count triangles that are visible in truth or in the answer. `clipscope explain` "
+      "takes the options and, on standard input, the numbers after the colon.");
+  return table;
+}
+
+void add_tallies(const std::vector<AnyContestant>& contestants,
+                 const std::vector<SweepTally>& tallies, Table& table) {
   for (std::size_t i = 0; i < contestants.size(); ++i) {
     const SweepTally& t = tallies[i];
     if (t.triangles == 0) continue;  // the method does not take this space
@@ -62,10 +68,6 @@ Table sweep_table(const std::string& name, const std::string& title,
     cells.insert(cells.end(), {t.max_px, t.max_ulp, t.max_attribute, t.worst, t.failing});
     table.add_row(std::move(cells));
   }
-  table.add_note(
-      "Outcomes count triangles that are visible in truth or in the answer. `clipscope explain` "
-      "takes the options and, on standard input, the numbers after the colon.");
-  return table;
 }
 
 std::vector<AnyContestant> float_and_double(const Selection& selection) {
@@ -157,11 +159,23 @@ SweepChunk random_chunk(std::uint64_t seed, std::size_t index, std::size_t count
   return chunk;
 }
 
+std::size_t stride_of(const Selection& selection) { return selection.quick ? kQuickStride : 1; }
+
 }  // namespace
 
-Table sweep_lattice(const std::string& name, const Selection& selection) {
+Table lattice_table(const std::string& name, const Selection& selection) {
   const Lattice lattice = named_lattice(name);
-  const std::size_t stride = selection.quick ? kQuickStride : 1;
+  const std::size_t stride = stride_of(selection);
+  return sweep_table(
+      "lattice_" + name,
+      fmt::format("Lattice {}: {} triangles in {} classes up to symmetry{}", name,
+                  lattice.triangles(), lattice.classes(),
+                  stride > 1 ? fmt::format(", every {}th chunk of them", stride) : ""));
+}
+
+void add_lattice(const std::string& name, const Selection& selection, Table& table) {
+  const Lattice lattice = named_lattice(name);
+  const std::size_t stride = stride_of(selection);
   const std::vector<AnyContestant> contestants = float_and_double(selection);
   const std::size_t chunks = (lattice.chunks() + stride - 1) / stride;
   Progress progress(fmt::format("lattice {}", name), chunks);
@@ -173,12 +187,12 @@ Table sweep_lattice(const std::string& name, const Selection& selection) {
     });
     return chunk;
   };
-  Table table =
-      sweep_table("lattice_" + name,
-                  fmt::format("Lattice {}: {} triangles in {} classes up to symmetry{}", name,
-                              lattice.triangles(), lattice.classes(),
-                              stride > 1 ? fmt::format(", every {}th chunk of them", stride) : ""),
-                  contestants, sweep(chunks, make_chunk, contestants, progress));
+  add_tallies(contestants, sweep(chunks, make_chunk, contestants, progress), table);
+}
+
+Table sweep_lattice(const std::string& name, const Selection& selection) {
+  Table table = lattice_table(name, selection);
+  add_lattice(name, selection, table);
   return table;
 }
 
@@ -191,8 +205,8 @@ Table sweep_random(std::uint64_t triangles, const Selection& selection) {
     return random_chunk(selection.seed, i, std::min<std::uint64_t>(kChunk, left));
   };
   Table table =
-      sweep_table("sweep", fmt::format("{} random triangles, seed {}", triangles, selection.seed),
-                  contestants, sweep(chunks, make_chunk, contestants, progress));
+      sweep_table("sweep", fmt::format("{} random triangles, seed {}", triangles, selection.seed));
+  add_tallies(contestants, sweep(chunks, make_chunk, contestants, progress), table);
   table.add_note("A search: the largest errors are lower bounds of the worst.");
   return table;
 }

@@ -15,6 +15,10 @@ namespace clipscope::experiments {
 // Pre-condition: the name is one of lattice_names().
 Table sweep_lattice(const std::string& name, const Selection& selection);
 
+// The same in two steps: the table without rows, and its rows.
+Table lattice_table(const std::string& name, const Selection& selection);
+void add_lattice(const std::string& name, const Selection& selection, Table& table);
+
 // Random triangles, half in view space and half in clip space: anywhere, game-like, near planes, with
 // mixed signs of w, over wide exponents. The same for a seed, whatever the number of threads.
 Table sweep_random(std::uint64_t triangles, const Selection& selection);

@@ -31,13 +31,19 @@ std::vector<std::string> clippers_of(const CaseSet& set) {
 
 }  // namespace
 
-Table matrix_table(const CaseSet& set, const Verdicts& verdicts,
-                   const std::vector<std::string>& scalars) {
+Table matrix_table(const CaseSet& set, const std::vector<std::string>& scalars) {
   const std::string primitive = to_string(set.primitive);
   std::vector<Column> columns = {{"case", "case"}, {"expected", "exact"}};
   for (const std::string& scalar : scalars) columns.push_back({scalar, scalar});
   Table table(fmt::format("hard_cases_{}s", primitive),
               fmt::format("Verdicts on {}s, one letter per clipper", primitive), columns);
+  table.add_note(std::string(kLegend));
+  table.add_note(fmt::format("Letters in the order of: {}.", fmt::join(clippers_of(set), ", ")));
+  return table;
+}
+
+void add_matrix(const CaseSet& set, const Verdicts& verdicts,
+                const std::vector<std::string>& scalars, Table& table) {
   for (std::size_t i = 0; i < set.cases.size(); ++i) {
     std::map<std::string, std::string> letters;
     for (const std::string& clipper : clippers_of(set)) {
@@ -56,9 +62,6 @@ Table matrix_table(const CaseSet& set, const Verdicts& verdicts,
     for (const std::string& scalar : scalars) cells.emplace_back(letters[scalar]);
     table.add_row(std::move(cells));
   }
-  table.add_note(std::string(kLegend));
-  table.add_note(fmt::format("Letters in the order of: {}.", fmt::join(clippers_of(set), ", ")));
-  return table;
 }
 
 Table verdicts_table() {
@@ -177,14 +180,37 @@ void add_policy(const CaseSet& set, const std::vector<PolicyTally>& tallies, Tab
   }
 }
 
-Table mutants_table(const std::vector<HardCase>& catalogue) {
-  Table table("hard_cases_mutants", "Seeded bugs, and how many cases notice them",
-              {{"bug", "bug"}, {"caught_by", "caught by"}, {"sharpest", "sharpest case"}});
+Table mutants_table() {
+  return Table("hard_cases_mutants", "Seeded bugs, and how many cases notice them",
+               {{"bug", "bug"}, {"caught_by", "caught by"}, {"sharpest", "sharpest case"}});
+}
+
+void add_mutants(const std::vector<HardCase>& catalogue, Table& table) {
   for (const MutationRow& row : mutation_table(catalogue)) {
     table.add_row(
         {std::string(row.summary), static_cast<std::int64_t>(row.caught_by.size()), row.sharpest});
   }
-  return table;
+}
+
+Table signs_table() {
+  return Table(
+      "hard_cases_signs",
+      "Signs of plane predicates on 256 x 256 neighbouring floats around a point of a plane",
+      {{"grid", "grid"},
+       {"predicate", "predicate"},
+       {"right", "right"},
+       {"opposite", "opposite"},
+       {"false_zero", "false zero"},
+       {"missed_zero", "missed zero"}});
+}
+
+void add_signs(const UlpGrid& grid, Table& table) {
+  const SignMap exact = sign_map(grid, grid.exact);
+  for (const Predicate& predicate : grid.predicates) {
+    const SignCounts counts = compare(sign_map(grid, predicate.sign_of), exact);
+    table.add_row({grid.title, predicate.title, counts.right, counts.opposite, counts.false_zero,
+                   counts.missed_zero});
+  }
 }
 
 }  // namespace clipscope::experiments

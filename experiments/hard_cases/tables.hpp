@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/catalogue/ulp_grid.hpp"
 #include "experiments/hard_cases/verdicts.hpp"
 #include "experiments/report/table.hpp"
 
@@ -15,8 +16,9 @@ namespace clipscope::experiments {
 using Verdicts = std::vector<std::vector<CaseVerdict>>;
 
 // The verdict matrix of one primitive: a row per case, a column per scalar, a letter per clipper.
-Table matrix_table(const CaseSet& set, const Verdicts& verdicts,
-                   const std::vector<std::string>& scalars);
+Table matrix_table(const CaseSet& set, const std::vector<std::string>& scalars);
+void add_matrix(const CaseSet& set, const Verdicts& verdicts,
+                const std::vector<std::string>& scalars, Table& table);
 
 // Every verdict on its own, for those who want to compute with them.
 Table verdicts_table();
@@ -33,6 +35,11 @@ Table policy_table();
 void add_policy(const CaseSet& set, const std::vector<PolicyTally>& tallies, Table& table);
 
 // Which of the catalogue's cases notice each of the seeded bugs.
-Table mutants_table(const std::vector<HardCase>& catalogue);
+Table mutants_table();
+void add_mutants(const std::vector<HardCase>& catalogue, Table& table);
+
+// How plane predicates sign a grid of neighbouring floats.
+Table signs_table();
+void add_signs(const UlpGrid& grid, Table& table);
 
 }  // namespace clipscope::experiments

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A run that never was, small, with everything that a page of results can hold.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/report/report_page.hpp"
+
+namespace clipscope::experiments {
+
+inline Table sample_claims() {
+  Table table("claims", "Claims and verdicts",
+              {{"number", "no"},
+               {"claim", "claim"},
+               {"verdict", "verdict"},
+               {"because", "because"},
+               {"experiment", "figures in"}});
+  for (const char* verdict : {"confirmed", "true only when", "refuted", "undecided", "refuted"}) {
+    const auto number = static_cast<std::int64_t>(table.rows().size() + 1);
+    table.add_row(
+        {number, std::string("Dividing before clipping turns what is behind the eye over."),
+         std::string(verdict),
+         std::string("12 of 4000 triangles, 0.3 %, at w between -1e-7 and 0; none elsewhere."),
+         std::string(number % 2 == 1 ? "sample" : "elsewhere")});
+  }
+  return table;
+}
+
+// Numbers that sort wrongly as texts, and values that are no numbers.
+inline Table sample_odd() {
+  Table table("odd", "Odd <values> & \"quotes\"",
+              {{"name", "name"}, {"value_px", "value [px]"}, {"count", "count"}});
+  table.add_row({std::string("ten"), 10.0, std::int64_t{100}});
+  table.add_row({std::string("not a number"), std::nan(""), std::int64_t{20}});
+  table.add_row({std::string("nothing"), Cell(), Cell()});
+  table.add_row({std::string("nine, \"9\""), 9.0, std::int64_t{3}});
+  table.add_row({std::string("infinite"), INFINITY, std::int64_t{5}});
+  table.add_row({std::string("tiny <b>bold</b>"), 1e-300, std::int64_t{-4}});
+  table.add_row({std::string("below all"), -INFINITY, std::int64_t{6}});
+  table.add_note("A note with <script>document.title = 'broken'</script> in it.");
+  return table;
+}
+
+inline Table sample_long() {
+  Table table("long", "160 rows, wide",
+              {{"clipper", "clipper"},
+               {"scalar", "scalar"},
+               {"ns_per_triangle", "ns/tri"},
+               {"ns_low", "95 % low"},
+               {"ns_high", "high"},
+               {"speedup_to_textbook", "x textbook"},
+               {"speedup_low", "95 % low"},
+               {"speedup_high", "high"}});
+  for (int i = 0; i < 160; ++i) {
+    const double ns = 1.0 + (i * 37) % 160;  // every whole number from 1 to 160 once
+    table.add_row({std::string(i % 4 == 0 ? "homogeneous/sutherland_hodgman" : "cvv/near_first"),
+                   std::string(i % 2 == 0 ? "float" : "double"), ns, ns * 0.9, ns * 1.1, 100 / ns,
+                   90 / ns, 110 / ns});
+  }
+  return table;
+}
+
+// 1 x 1 px (PNG specification).
+inline std::string sample_png() {
+  static constexpr unsigned char kBytes[] = {
+      0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
+      0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x02, 0x00, 0x00,
+      0x00, 0x90, 0x77, 0x53, 0xde, 0x00, 0x00, 0x00, 0x0c, 0x49, 0x44, 0x41, 0x54, 0x78,
+      0x9c, 0x63, 0x60, 0x60, 0x60, 0x00, 0x00, 0x00, 0x04, 0x00, 0x01, 0xf6, 0x17, 0x38,
+      0x55, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+  return {reinterpret_cast<const char*>(kBytes), sizeof kBytes};
+}
+
+// plots: SVG files as write_plot leaves them.
+inline ReportContent sample_content(const std::vector<std::string>& plots) {
+  ReportExperiment sample{
+      .name = "sample",
+      .question = "Does a < b & c > d hold?",
+      .command = "clipscope run sample --out 'my results'",
+      .finding = "It holds for 3 of 4 <triangles>.",
+      .seconds = 2,
+      .tables = {sample_odd(), sample_long(), Table("empty", "No rows", {{"a", "a"}, {"b", "b"}})},
+      .more_tables = {},
+      .figures = {}};
+  for (const std::string& svg : plots) {
+    sample.figures.push_back({true, "image/svg+xml", svg, "plot.svg", "A plot", "What it shows"});
+  }
+  sample.figures.push_back({false, "image/png", sample_png(), "a.png", "", "A \"picture\""});
+  sample.figures.push_back({false, "image/png", "", "gone.png", "", "Not there"});
+  ReportExperiment unfinished;
+  unfinished.name = "unfinished";
+  unfinished.finished = false;
+  ReportExperiment claims{.name = "claims",
+                          .question = "Which claims hold?",
+                          .command = "clipscope run claims",
+                          .finding = "One of five.",
+                          .tables = {sample_claims()}};
+  return {{{"machine", "a processor <fast>"}, {"commit", "0123abc"}, {"flags", ""}},
+          {sample, unfinished, claims}};
+}
+
+}  // namespace clipscope::experiments

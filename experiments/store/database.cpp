@@ -60,6 +60,14 @@ double double_of(const void* blob) {
   return std::bit_cast<double>(bits);
 }
 
+// The last failed call on the file, whose number a failed commit does not pass on to the connection; else
+// that of the connection; 0 if there was none.
+int system_error_of(sqlite3* connection) {
+  int number = 0;
+  sqlite3_file_control(connection, "main", SQLITE_FCNTL_LAST_ERRNO, &number);
+  return number != 0 ? number : sqlite3_system_errno(connection);
+}
+
 }  // namespace
 
 DatabasePointer create_database(const std::filesystem::path& file, const RunInfo& info) {
@@ -116,7 +124,7 @@ std::string reason_of(const SQLite::Database& database, const SQLite::Exception&
     case SQLITE_IOERR:
     case SQLITE_CANTOPEN:
     case SQLITE_FULL:
-      if (const int number = sqlite3_system_errno(database.getHandle()); number != 0) {
+      if (const int number = system_error_of(database.getHandle()); number != 0) {
         text += fmt::format(" ({})", std::generic_category().message(number));
       }
       break;

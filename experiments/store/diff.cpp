@@ -79,6 +79,12 @@ Shared shared_columns(const Table& a, const Table& b) {
   return shared;
 }
 
+bool is_text(const Table& table, std::size_t column) {
+  return std::ranges::all_of(table.rows(), [&](const Row& row) {
+    return std::holds_alternative<std::string>(row[column]);
+  });
+}
+
 // How many of the shared columns make up the key.
 std::size_t key_length(const Table& a, const Table& b, const Shared& shared) {
   Shared key;
@@ -87,7 +93,11 @@ std::size_t key_length(const Table& a, const Table& b, const Shared& shared) {
     key.b.push_back(shared.b[n]);
     if (are_unique(a, key.a) && are_unique(b, key.b)) return n + 1;
   }
-  return shared.a.size();
+  std::size_t texts = 0;
+  while (texts < shared.a.size() && is_text(a, shared.a[texts]) && is_text(b, shared.b[texts])) {
+    ++texts;
+  }
+  return texts;
 }
 
 // Rows by key; of rows with the same key, the second is "key (2)", and so on.

@@ -269,8 +269,7 @@ TEST_CASE("store: a damaged page is an error of reading, not a wrong table") {
   }
   const auto size = fs::file_size(folder.store());
   fs::resize_file(folder.store(), size / 2);
-  const ResultsStore store(folder.path);
-  CHECK_THROWS_AS(store.table("small"), InputError);
+  CHECK_THROWS_AS(ResultsStore(folder.path).table("small"), InputError);
 }
 
 TEST_CASE("store: one process writes into a folder at a time") {

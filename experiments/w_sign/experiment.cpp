@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sign of w: the cases of the catalogue about it by clipper, and what a w-plane w >= epsilon costs
-// near the eye by the scale of the scene.
+// The sign of w: cases of the catalogue and random triangles by pattern x clippers; what each w-plane
+// w >= epsilon costs and prevents, by scale; and what clipping after the divide shows.
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
+#include <algorithm>
 
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/experiment.hpp"
-#include "experiments/hard_cases/judge.hpp"
-#include "experiments/measure/machine.hpp"
+#include "experiments/render/figure.hpp"
+#include "experiments/report/progress.hpp"
+#include "experiments/w_sign/tables.hpp"
 
 namespace clipscope::experiments {
 namespace {
+
+constexpr std::array kScales = {1.0,  0.3,  0.1,  0.03, 1e-2, 3e-3,
+                                1e-3, 3e-4, 1e-4, 3e-5, 1e-5};  // m
 
 // The cases about w, and those about the scale of homogeneous coordinates.
 bool is_about_w(const HardCase& c) {
@@ -21,106 +24,144 @@ bool is_about_w(const HardCase& c) {
          (c.name.starts_with("w_sign/") || c.name.starts_with("scale/"));
 }
 
-Table outcomes_by_clipper(const Selection& selection) {
-  std::vector<Column> columns = {
-      {"clipper", "clipper"}, {"scalar", "scalar"}, {"failures", "fails"}};
-  for (const std::string_view name : kOutcomeNames) {
-    columns.push_back({std::string(name), std::string(name)});
-  }
-  Table table("w_sign", "What each clipper does with w < 0, w = 0, tiny w and mixed signs",
-              columns);
+void judge_cases(const Selection& selection, Table& table) {
   for (const CaseContestant& contestant :
        case_contestants(Primitive::triangle, selection.clipper, selection.scalars)) {
-    std::array<std::int64_t, kOutcomes> counts{};
-    std::int64_t failures = 0;
+    OutcomeCounts counts{};
     for (const HardCase& c : builtin_catalogue()) {
       if (!is_about_w(c)) continue;
       const Outcome outcome = contestant.answer(c, truth_polygon(c)).comparison.outcome;
       ++counts[static_cast<std::size_t>(outcome)];
-      failures += is_failure(outcome);
     }
-    std::vector<Cell> cells = {contestant.clipper, contestant.scalar, failures};
-    cells.insert(cells.end(), counts.begin(), counts.end());
-    table.add_row(std::move(cells));
+    add_w_sign_cases_row(table, contestant, counts);
   }
-  table.add_note("The cases of the themes w_sign and scale of the catalogue.");
-  return table;
 }
 
-// A wall that passes the eye: from behind it to far ahead, a tenth of the scale to the right, seen with
-// 90 degrees and a near plane at 1/1000 of the scale.
-HardCase wall_past_the_eye(double scale) {
-  HardCase wall;
-  wall.space = Space::view;
-  const auto length = [scale](double x) { return double{static_cast<float>(x * scale)}; };
-  wall.frustum = {.near = length(1e-3), .far = length(1e3)};
-  wall.frustum.right = wall.frustum.top = wall.frustum.near;
-  wall.frustum.left = wall.frustum.bottom = -wall.frustum.near;
-  const std::array<std::array<double, 3>, 3> corners = {
-      {{0.1, -5, 2}, {0.1, 0.1, -60}, {0.0015, 0.001, 0.5}}};
-  for (const auto& p : corners) {
-    reference::InputVertex& v = wall.vertices.emplace_back();
-    v.position = {length(p[0]), length(p[1]), length(p[2]), 1};
+// Clippers of clip space, in float and double as far as they are asked for.
+std::vector<AnyContestant> pattern_contestants(const Selection& selection) {
+  std::vector<AnyContestant> contestants = selected_contestants(selection);
+  std::erase_if(contestants, [](const AnyContestant& any) {
+    const std::string_view scalar = scalar_name(any);
+    return (scalar != "float" && scalar != "double") ||
+           std::visit([](const auto* c) { return c->clip == nullptr; }, any);
+  });
+  return contestants;
+}
+
+void judge_pattern(const Selection& selection, const WPattern& pattern, Table& table,
+                   CellRecord& record) {
+  const auto contestants = pattern_contestants(selection);
+  const std::size_t triangles = selection.sample != 0 ? selection.sample
+                                : selection.quick     ? 40
+                                                      : 400;
+  constexpr std::size_t kChunks = 4;
+  Progress progress("w " + pattern_name(pattern), kChunks);
+  const auto make_chunk = [&](std::size_t i) {
+    return pattern_chunk(pattern, triangles / kChunks, kChunks * selection.seed + i);
+  };
+  const auto tallies = sweep(kChunks, make_chunk, contestants, progress);
+  for (std::size_t i = 0; i < contestants.size(); ++i) {
+    add_w_sign_pattern_row(table, record, pattern_name(pattern), contestants[i], tallies[i]);
   }
-  return wall;
 }
 
-// Area on a screen of 3840 x 2160.
-template <class Vertices>
-double area_px(const Vertices& vertices) {
-  double area = 0;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto& a = vertices[i];
-    const auto& b = vertices[(i + 1) % vertices.size()];
-    area += (a[0] * b[1] - a[1] * b[0]) / 2 * (kScreenWidth / 2) * (kScreenHeight / 2);
-  }
-  return std::abs(area);
-}
-
-// The smallest depth that is drawn: w is the depth in front of the eye.
-double nearest_depth(const std::vector<std::array<double, 4>>& polygon) {
-  double nearest = HUGE_VAL;
-  for (const auto& v : polygon) nearest = std::min(nearest, 1 / v[3]);
-  return nearest;
-}
-
-Table price_of_epsilon() {
-  Table table("w_sign_epsilon",
-              "A wall past the eye: what w >= epsilon cuts away, by the scene's scale",
-              {{"scale_m", "scale [m]"},
-               {"near_m", "near plane [m]"},
-               {"clipper", "clipper"},
-               {"visible_px2", "visible [px^2]"},
-               {"lost_px2", "lost [px^2]"},
-               {"lost_percent", "lost [%]"},
-               {"nearest_drawn_m", "nearest drawn [m]"}});
-  for (const double scale : {1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
-    const HardCase wall = wall_past_the_eye(scale);
-    const TruthPolygon truth = truth_polygon(wall);
-    const double visible = area_px(truth.approximation);
-    for (const CaseContestant& contestant :
-         case_contestants(Primitive::triangle, "homogeneous/w_first_*", {"float"})) {
-      const CaseAnswer answer = contestant.answer(wall, truth);
-      const double lost = visible - area_px(answer.polygon);
-      table.add_row({scale, wall.frustum.near, contestant.clipper, visible, lost,
-                     100 * lost / visible,
-                     answer.polygon.empty() ? Cell() : Cell(nearest_depth(answer.polygon))});
+void price_epsilon(Table& table) {
+  for (const bool depth_clamp : {false, true}) {
+    for (const double scale : kScales) {
+      for (const auto& [name, surface] :
+           {std::pair{"wall", wall_past_the_eye(scale, depth_clamp)},
+            std::pair{"floor", floor_beneath_the_eye(scale, depth_clamp)}}) {
+        const TruthPolygon truth = truth_polygon(surface);
+        for (const WPlaneClipper& clipper : w_plane_clippers()) {
+          const auto contestants =
+              case_contestants(Primitive::triangle, clipper.clipper, {"double"});
+          const CaseAnswer answer = contestants.front().answer(surface, truth);
+          add_w_sign_epsilon_row(table, name, surface, scale, clipper,
+                                 loss_of(truth, answer.polygon));
+        }
+      }
     }
   }
-  table.add_note(
-      "Lost: the exact visible area less the area drawn, on 3840 x 2160, float. A w-plane in front "
-      "of "
-      "the near plane costs nothing; behind it, everything in between.");
-  return table;
+}
+
+void count_prevented(const std::string& input, double scale, bool depth_clamp,
+                     const std::vector<ClipBatch>& batches, Table& table) {
+  const DivisionHazards without = count_hazards(batches, std::nullopt);
+  for (const WPlaneClipper& clipper : w_plane_clippers()) {
+    add_w_sign_prevented_row(
+        table, {input, scale, depth_clamp, clipper, without,
+                count_hazards(batches, clipper.epsilon), tally_loss(batches, clipper.clipper)});
+  }
+}
+
+// The patterns' triangles, all in one batch.
+std::vector<ClipBatch> pattern_batch(const Selection& selection, bool depth_clamp) {
+  ClipBatch batch{{.depth_clamp = depth_clamp}, {}};
+  for (const WPattern& pattern : all_patterns()) {
+    const SweepChunk chunk = pattern_chunk(pattern, selection.quick ? 10 : 100, selection.seed);
+    batch.triangles.insert(batch.triangles.end(), chunk.clip.begin(), chunk.clip.end());
+  }
+  return {batch};
+}
+
+std::vector<std::string> scenes_behind_the_eye(const Selection& selection) {
+  if (!selection.scenes.empty()) return selection.scenes;
+  return {"floor", "corridor"};
+}
+
+void draw_pictures(const ExperimentContext& context, Table& table, CellRecord& record) {
+  const Selection& selection = context.selection();
+  std::vector<EyePicture> pictures;
+  const PictureSize size = selection.quick ? PictureSize{480, 270} : PictureSize{720, 405};
+  pictures.push_back(draw_eye_picture(triangle_behind_the_eye(), size));
+  for (const std::string& name : scenes_behind_the_eye(selection)) {
+    pictures.push_back(draw_eye_picture(load_selected_scene(selection, name), size));
+  }
+  for (const EyePicture& picture : pictures) add_w_sign_picture_row(table, picture);
+  std::vector<PanelRow> rows;
+  for (const EyePicture& picture : pictures) rows.push_back(panel_row(picture));
+  write_png(context.out() / "w_sign.png", side_by_side(rows), "clipping after the divide");
+  record.pictures.push_back({"w_sign.png",
+                             "Surfaces that reach behind the eye: clipped after the divide (left) "
+                             "and exactly (right)."});
 }
 
 }  // namespace
 
 void run_w_sign(const ExperimentContext& context) {
-  Table outcomes = outcomes_by_clipper(context.selection());
-  outcomes.add_note(machine_description());
-  context.emit(outcomes);
-  context.emit(price_of_epsilon());
+  const Selection& selection = context.selection();
+  Table cases = w_sign_cases_table(), patterns = w_sign_patterns_table(),
+        epsilon = w_sign_epsilon_table();
+  Table prevented = w_sign_prevented_table(), pictures = w_sign_pictures_table();
+  context.cell("cases", {&cases}, [&](CellRecord&) { judge_cases(selection, cases); });
+  for (const WPattern& pattern : all_patterns()) {
+    context.cell("w " + pattern_name(pattern), {&patterns},
+                 [&](CellRecord& record) { judge_pattern(selection, pattern, patterns, record); });
+  }
+  context.cell("epsilon", {&epsilon}, [&](CellRecord&) { price_epsilon(epsilon); });
+  for (const bool depth_clamp : {false, true}) {
+    context.cell(fmt::format("prevented patterns {}", depth_clamp), {&prevented}, [&](CellRecord&) {
+      count_prevented("patterns", 1, depth_clamp, pattern_batch(selection, depth_clamp), prevented);
+    });
+    for (const std::string& name : scenes_behind_the_eye(selection)) {
+      for (const double scale : {1.0, 1e-3, 1e-6}) {
+        context.cell(fmt::format("prevented {} {:g} {}", name, scale, depth_clamp), {&prevented},
+                     [&](CellRecord&) {
+                       const Scene scene = load_selected_scene(selection, name);
+                       count_prevented(scene.name, scale, depth_clamp,
+                                       scaled_batches(scene, scale, depth_clamp, 600), prevented);
+                     });
+      }
+    }
+  }
+  context.cell("pictures", {&pictures},
+               [&](CellRecord& record) { draw_pictures(context, pictures, record); });
+  for (const Table* table : {&cases, &patterns, &epsilon, &prevented, &pictures}) {
+    context.emit(*table);
+  }
+  context.emit_file(context.out() / "w_sign.png");
+  context.emit(w_sign_loss_plot(epsilon));
+  context.finding(w_sign_finding(patterns, epsilon, prevented));
 }
 
 }  // namespace clipscope::experiments

@@ -1,62 +1,77 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Error budget: the same answers judged by two truths. Against T_frustum they carry every error; against
-// T_matrix, the float matrix as given, the rounding of the matrix is forgiven. What the exact scalar
-// still misses T_matrix by is the matrix alone.
+// Error budget: scenes x clippers x float and double, each error split by the step that it comes from.
 #include <fmt/format.h>
 
+#include "experiments/budget/budget.hpp"
 #include "experiments/experiment.hpp"
-#include "experiments/measure/accuracy.hpp"
+#include "experiments/measure/batches.hpp"
 #include "experiments/measure/machine.hpp"
+#include "experiments/measure/worst_input.hpp"
+#include "experiments/report/row_view.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
-constexpr std::size_t kDefaultSample = 500;  // triangles per view
-constexpr std::size_t kQuickSample = 100;
+constexpr std::size_t kTriangles = 5000;  // per scene, over all its views
+constexpr std::size_t kQuickTriangles = 500;
 
-std::vector<AccuracyTally> tallies_for(const Scene& scene, const Selection& selection,
-                                       std::span<const AnyContestant> contestants,
-                                       reference::TruthKind truth) {
-  const std::size_t sample = selection.quick ? kQuickSample : kDefaultSample;
-  const AccuracyOptions options{
-      .truth = truth, .triangles_per_view = selection.sample != 0 ? selection.sample : sample};
-  std::vector<AccuracyTally> tallies(contestants.size());
-  Progress progress(fmt::format("budget on {}", scene.name), sampled_triangles(scene, options));
-  measure_accuracy(scene, contestants, options, tallies, progress);
-  return tallies;
+// Game-like, all straddling, all across w = 0, hard, and two meshes.
+std::vector<std::string> scenes(const Selection& selection) {
+  if (!selection.scenes.empty()) return selection.scenes;
+  return {"soup", "soup_straddling", "soup_behind", "slivers", "teapot", "terrain"};
+}
+
+std::size_t triangles_per_view(const Selection& selection, const Scene& scene) {
+  if (selection.sample != 0) return selection.sample;
+  const std::size_t all = selection.quick ? kQuickTriangles : kTriangles;
+  return std::max<std::size_t>(1, all / scene.views.size());
+}
+
+void record_worst(const Selection& selection, const Scene& scene,
+                  std::span<const AnyContestant> contestants, std::span<const BudgetTally> tallies,
+                  CellRecord& record) {
+  for (std::size_t i = 0; i < contestants.size(); ++i) {
+    const BudgetTally& tally = tallies[i];
+    const double error = tally.parts[static_cast<std::size_t>(BudgetPart::total)].px.max();
+    if (error == 0) continue;
+    const View& view = scene.views[tally.worst_view];
+    SceneTriangle triangle;
+    view_triangles(scene, view, tally.worst_triangle, std::span(&triangle, 1));
+    record.worst_inputs.push_back(
+        worst_input(selection, scene, contestants[i],
+                    {view, triangle, tally.worst_triangle, "position_px", error}));
+  }
 }
 
 }  // namespace
 
 void run_budget(const ExperimentContext& context) {
   const Selection& selection = context.selection();
-  const std::vector<AnyContestant> contestants = select_contestants(selection.clipper, {"float"});
-  Table table("budget",
-              "Error of float clippers: everything, and with the matrix's rounding forgiven",
-              {{"scene", "scene"},
-               {"clipper", "clipper"},
-               {"frustum_median_px", "T_frustum median px"},
-               {"frustum_max_px", "max px"},
-               {"matrix_median_px", "T_matrix median px"},
-               {"matrix_max_px", "max px"}});
-  for (const std::string& name : scene_names(selection)) {
-    const Scene scene = load_selected_scene(selection, name);
-    const auto everything =
-        tallies_for(scene, selection, contestants, reference::TruthKind::frustum);
-    const auto forgiven = tallies_for(scene, selection, contestants, reference::TruthKind::matrix);
-    for (std::size_t i = 0; i < contestants.size(); ++i) {
-      table.add_row({scene.name, std::string(clipper_name(contestants[i])),
-                     everything[i].position_px.quantile(0.5), everything[i].position_px.max(),
-                     forgiven[i].position_px.quantile(0.5), forgiven[i].position_px.max()});
-    }
+  const auto contestants = budget_contestants(selection.clipper, selection.scalars);
+  Table table = budget_table();
+  for (const std::string& name : scenes(selection)) {
+    context.cell("scene " + name, {&table}, [&](CellRecord& record) {
+      const Scene scene = load_selected_scene(selection, name);
+      const std::size_t limit = triangles_per_view(selection, scene);
+      Progress progress("budget on " + scene.name,
+                        sample_of(scene, limit).count * scene.views.size() * contestants.size());
+      const auto tallies = measure_budget(scene, contestants, limit, progress);
+      add_budget_rows(scene.name, contestants, tallies, table);
+      record_worst(selection, scene, contestants, tallies, record);
+    });
   }
-  table.add_note(
-      "T_frustum: exact frustum numbers. T_matrix: the float projection matrix as given. "
-      "Their difference is what rounding the matrix costs; what stays under T_matrix is "
-      "transform, cut and divide.");
   table.add_note(machine_description());
   context.emit(table);
+  std::string plotted;
+  for (const RowView& row : rows_of(table)) {
+    const std::string& scene = row.text("scene");
+    if (scene == plotted) continue;
+    plotted = scene;
+    const Plot plot = budget_plot(table, scene, row.text("scalar"));
+    if (!plot.categories.empty()) context.emit(plot);
+  }
+  context.finding(budget_finding(table));
 }
 
 }  // namespace clipscope::experiments

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cost: mixes of triangles x clippers x scalars, timed side by side, and operations counted.
+// Cost: mixes of triangles x clippers x scalars, timed side by side, operations counted, and where the
+// time goes: transform, cut, divide.
 #include <fmt/format.h>
 
+#include "experiments/cost/split.hpp"
+#include "experiments/cost/tables.hpp"
 #include "experiments/experiment.hpp"
-#include "experiments/measure/batches.hpp"
 #include "experiments/measure/machine.hpp"
 #include "experiments/measure/timing.hpp"
 #include "experiments/report/progress.hpp"
@@ -13,6 +15,7 @@ namespace clipscope::experiments {
 namespace {
 
 constexpr std::size_t kTriangles = 20000;  // per mix
+constexpr std::size_t kQuickTriangles = 2000;
 
 // The soups are the mixes; any scene that the user names is one, too.
 std::vector<std::string> mixes(const Selection& selection) {
@@ -20,47 +23,22 @@ std::vector<std::string> mixes(const Selection& selection) {
   return {"soup", "soup_inside", "soup_outside", "soup_straddling", "soup_behind"};
 }
 
-void time_mix(const Scene& scene, const Selection& selection, Table& table) {
-  const std::vector<AnyContestant> contestants = selected_contestants(selection);
-  const TimingOptions options{.rounds = selection.quick ? 9 : 31};
-  const auto timings = measure_time(timed_batches(scene, kTriangles), contestants, options);
+void record_samples(const std::string& mix, std::span<const AnyContestant> contestants,
+                    std::span<const Timing> timings, std::span<const Split> splits,
+                    CellRecord& record) {
+  constexpr const char* kUnit = "ns per triangle";
   for (std::size_t i = 0; i < contestants.size(); ++i) {
-    const Timing& t = timings[i];
-    std::vector<Cell> cells = {scene.name, std::string(clipper_name(contestants[i])),
-                               std::string(scalar_name(contestants[i]))};
-    if (t.refused.empty()) {
-      cells.insert(cells.end(), {t.ns.median, t.ns.low, t.ns.high, t.speedup.median, t.speedup.low,
-                                 t.speedup.high});
-    } else {
-      cells.resize(table.columns().size());
-    }
-    table.add_row(std::move(cells));
+    if (!timings[i].refused.empty()) continue;
+    record.samples.push_back(
+        {fmt::format("{} {} {}", mix, clipper_name(contestants[i]), scalar_name(contestants[i])),
+         kUnit, timings[i].samples_ns});
   }
-}
-
-// Operations per triangle: what a clipper costs, machine and compiler aside.
-void count_mix(const Scene& scene, const Selection& selection, Table& table) {
-  for (const AnyContestant& any : select_contestants(selection.clipper, {"counting"})) {
-    const Contestant<Counted>& contestant = *std::get<const Contestant<Counted>*>(any);
-    PolygonStream<Counted, kSceneAttributes> out;
-    OperationCounts sum;
-    double triangles = 0;
-    for (const TimedBatch& batch : timed_batches(scene, kTriangles)) {
-      const auto input = triangles_cast<Counted>(batch.triangles);
-      const auto projection = projection_of<Counted>(batch.view);
-      operation_counts() = {};
-      contestant.view(projection, input, out);
-      const OperationCounts& counted = operation_counts();
-      sum.additions += counted.additions;
-      sum.multiplications += counted.multiplications;
-      sum.divisions += counted.divisions;
-      sum.comparisons += counted.comparisons;
-      triangles += static_cast<double>(input.size());
+  for (const Split& split : splits) {
+    for (const SplitPart& part : split.parts) {
+      record.samples.push_back(
+          {fmt::format("{} {} {} {}", mix, split.clipper, split.scalar, part.name), kUnit,
+           part.samples_ns});
     }
-    const auto per_triangle = [&](std::uint64_t n) { return static_cast<double>(n) / triangles; };
-    table.add_row({scene.name, std::string(contestant.name), per_triangle(sum.additions),
-                   per_triangle(sum.multiplications), per_triangle(sum.divisions),
-                   per_triangle(sum.comparisons)});
   }
 }
 
@@ -68,37 +46,35 @@ void count_mix(const Scene& scene, const Selection& selection, Table& table) {
 
 void run_cost(const ExperimentContext& context) {
   const Selection& selection = context.selection();
-  Table times("cost", "Time per triangle, view space in, NDC polygons out, four attributes",
-              {{"mix", "mix"},
-               {"clipper", "clipper"},
-               {"scalar", "scalar"},
-               {"ns_per_triangle", "ns/tri"},
-               {"ns_low", "95 % low"},
-               {"ns_high", "high"},
-               {"speedup_to_textbook", "x textbook"},
-               {"speedup_low", "95 % low"},
-               {"speedup_high", "high"}});
-  Table operations("cost_operations", "Operations per triangle, by kind",
-                   {{"mix", "mix"},
-                    {"clipper", "clipper"},
-                    {"additions", "+ -"},
-                    {"multiplications", "*"},
-                    {"divisions", "/"},
-                    {"comparisons", "comparisons"}});
+  const std::vector<AnyContestant> contestants = selected_contestants(selection);
+  const TimingOptions options{.rounds = selection.quick ? 5 : 31,
+                              .milliseconds_per_run = selection.quick ? 0.3 : 2.0,
+                              .checked_triangles = selection.quick ? 24u : 256u};
+  Table times = cost_table(), operations = cost_operations_table(), split = cost_split_table();
   const std::vector<std::string> names = mixes(selection);
   Progress progress("cost", names.size());
   for (const std::string& name : names) {
-    const Scene scene = load_selected_scene(selection, name);
-    time_mix(scene, selection, times);
-    count_mix(scene, selection, operations);
+    context.cell("mix " + name, {&times, &operations, &split}, [&](CellRecord& record) {
+      const Scene scene = load_selected_scene(selection, name);
+      const std::vector<TimedBatch> batches =
+          timed_batches(scene, selection.quick ? kQuickTriangles : kTriangles);
+      const std::vector<Timing> timings = measure_time(batches, contestants, options);
+      const std::vector<Split> splits =
+          measure_split(batches, contestants, timings, options.rounds);
+      add_cost_rows(scene.name, contestants, timings, times);
+      add_operation_rows(scene.name, batches, selection.clipper, operations);
+      add_split_rows(scene.name, splits, split);
+      record_samples(scene.name, contestants, timings, splits, record);
+    });
     progress.advance();
   }
-  times.add_note(
-      "x textbook: how many times faster than textbook in float on the same triangles in the "
-      "same round; median and 95 % interval. Not timed (-): the answers break the promise.");
-  times.add_note(machine_description());
-  context.emit(times);
-  context.emit(operations);
+  for (Table* table : {&times, &operations, &split}) {
+    table->add_note(machine_description());
+    context.emit(*table);
+  }
+  context.emit(cost_plot(times));
+  if (!split.rows().empty()) context.emit(split_plot(split));
+  context.finding(cost_finding(times, operations));
 }
 
 }  // namespace clipscope::experiments

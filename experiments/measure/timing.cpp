@@ -7,6 +7,7 @@
 #include <chrono>
 #include <memory>
 #include <random>
+#include <tuple>
 
 #include "experiments/measure/batches.hpp"
 #include "experiments/measure/machine.hpp"
@@ -30,6 +31,42 @@ std::size_t triangle_count(std::span<const TimedBatch> batches) {
   return count;
 }
 
+// The batches in one scalar, made once for all its contestants.
+template <class T>
+struct InputIn {
+  std::vector<Projection<T>> projections;
+  std::vector<std::vector<ViewTriangle<T, kSceneAttributes>>> triangles;
+
+  explicit InputIn(std::span<const TimedBatch> batches) {
+    for (const TimedBatch& batch : batches) {
+      projections.push_back(projection_of<T>(batch.view));
+      triangles.push_back(triangles_cast<T>(batch.triangles));
+    }
+  }
+};
+
+// Makes the input in a scalar when it is first asked for.
+class Inputs {
+ public:
+  explicit Inputs(std::span<const TimedBatch> batches) : batches_(batches) {}
+
+  std::span<const TimedBatch> batches() const { return batches_; }
+
+  template <class T>
+  const InputIn<T>& in() {
+    auto& input = std::get<std::unique_ptr<InputIn<T>>>(inputs_);
+    if (!input) input = std::make_unique<InputIn<T>>(batches_);
+    return *input;
+  }
+
+ private:
+  template <class... Ts>
+  static std::tuple<std::unique_ptr<InputIn<Ts>>...> none(TypeList<Ts...>);
+
+  std::span<const TimedBatch> batches_;
+  decltype(none(AllScalars{})) inputs_;
+};
+
 // A contestant with its input in its own scalar.
 class Runner {
  public:
@@ -43,13 +80,11 @@ class Runner {
 template <class T>
 class RunnerOf final : public Runner {
  public:
-  RunnerOf(const Contestant<T>& contestant, std::span<const TimedBatch> batches)
-      : contestant_(contestant), source_(batches) {
-    for (const TimedBatch& batch : batches) {
-      projections_.push_back(projection_of<T>(batch.view));
-      triangles_.push_back(triangles_cast<T>(batch.triangles));
-    }
-  }
+  RunnerOf(const Contestant<T>& contestant, Inputs& inputs)
+      : contestant_(contestant),
+        source_(inputs.batches()),
+        projections_(inputs.in<T>().projections),
+        triangles_(inputs.in<T>().triangles) {}
 
   double run() override { return run_share(share_); }
 
@@ -101,17 +136,16 @@ class RunnerOf final : public Runner {
 
   const Contestant<T>& contestant_;
   std::span<const TimedBatch> source_;
-  std::vector<Projection<T>> projections_;
-  std::vector<std::vector<ViewTriangle<T, kSceneAttributes>>> triangles_;
+  const std::vector<Projection<T>>& projections_;
+  const std::vector<std::vector<ViewTriangle<T, kSceneAttributes>>>& triangles_;
   PolygonStream<T, kSceneAttributes> out_;
   double share_ = 1.0;
 };
 
-std::unique_ptr<Runner> make_runner(const AnyContestant& contestant,
-                                    std::span<const TimedBatch> batches) {
+std::unique_ptr<Runner> make_runner(const AnyContestant& contestant, Inputs& inputs) {
   return std::visit(
       [&]<class T>(const Contestant<T>* c) -> std::unique_ptr<Runner> {
-        return std::make_unique<RunnerOf<T>>(*c, batches);
+        return std::make_unique<RunnerOf<T>>(*c, inputs);
       },
       contestant);
 }
@@ -128,38 +162,58 @@ std::vector<Timing> measure_time(std::span<const TimedBatch> batches,
     for (Timing& timing : timings) timing.refused = "no triangles";
     return timings;
   }
-  const PinnedThread pinned;
   const double target_ns = options.milliseconds_per_run * 1e6;
+  Inputs inputs(batches);
   const auto prepare = [&](const AnyContestant& contestant) {
-    std::unique_ptr<Runner> runner = make_runner(contestant, batches);
+    std::unique_ptr<Runner> runner = make_runner(contestant, inputs);
     runner->choose_share(target_ns);
     return runner;
   };
 
-  const std::unique_ptr<Runner> baseline_runner = prepare(baseline());
   std::vector<std::unique_ptr<Runner>> runners;
-  std::vector<std::size_t> timed;
+  runners.push_back(prepare(baseline()));
+  std::vector<std::size_t> timed;  // whose runner is the next one
   for (std::size_t i = 0; i < contestants.size(); ++i) {
-    runners.push_back(prepare(contestants[i]));
-    timings[i].refused = runners[i]->first_broken_promise(options.checked_triangles);
-    if (timings[i].refused.empty()) timed.push_back(i);
+    std::unique_ptr<Runner> runner = prepare(contestants[i]);
+    timings[i].refused = runner->first_broken_promise(options.checked_triangles);
+    if (!timings[i].refused.empty()) continue;
+    timed.push_back(i);
+    runners.push_back(std::move(runner));
   }
+  if (timed.empty()) return timings;
 
-  std::vector<std::vector<double>> speedups(contestants.size());
-  for (int round = 0; round < options.rounds && !timed.empty(); ++round) {
-    const double baseline_ns = baseline_runner->run();
-    for (const std::size_t i : timed) {
-      const double ns = runners[i]->run();
-      timings[i].samples_ns.push_back(ns);
-      speedups[i].push_back(baseline_ns / ns);
-    }
-    std::rotate(timed.begin(), timed.begin() + 1, timed.end());
-  }
-  for (const std::size_t i : timed) {
-    timings[i].ns = median_interval(timings[i].samples_ns);
-    timings[i].speedup = median_interval(speedups[i]);
+  std::vector<std::function<double()>> tasks;
+  for (const auto& runner : runners) tasks.push_back([&runner] { return runner->run(); });
+  const std::vector<std::vector<double>> samples = run_in_turn(tasks, options.rounds);
+  for (std::size_t i = 0; i < timed.size(); ++i) {
+    Timing& timing = timings[timed[i]];
+    timing.samples_ns = samples[i + 1];
+    timing.ns = median_interval(timing.samples_ns);
+    timing.speedup = median_interval(ratios(samples[0], timing.samples_ns));
   }
   return timings;
+}
+
+std::vector<std::vector<double>> run_in_turn(std::span<const std::function<double()>> tasks,
+                                             int rounds) {
+  const PinnedThread pinned;
+  std::vector<std::vector<double>> samples(tasks.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      const std::size_t turn = (i + static_cast<std::size_t>(round)) % tasks.size();
+      samples[turn].push_back(tasks[turn]());
+    }
+  }
+  return samples;
+}
+
+std::vector<double> ratios(std::span<const double> numerators,
+                           std::span<const double> denominators) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < numerators.size(); ++i) {
+    result.push_back(numerators[i] / denominators[i]);
+  }
+  return result;
 }
 
 std::vector<TimedBatch> timed_batches(const Scene& scene, std::size_t limit) {
@@ -168,8 +222,11 @@ std::vector<TimedBatch> timed_batches(const Scene& scene, std::size_t limit) {
   std::mt19937_64 generator(1);
   for (const View& view : scene.views) {
     TimedBatch batch{view, sampled_view_triangles(scene, view, sample, 0, sample.count)};
+    for (std::size_t i = 0; i < sample.count; ++i) batch.numbers.push_back(i * sample.stride);
     for (std::size_t i = batch.triangles.size(); i > 1; --i) {
-      std::swap(batch.triangles[i - 1], batch.triangles[generator() % i]);
+      const std::size_t other = generator() % i;
+      std::swap(batch.triangles[i - 1], batch.triangles[other]);
+      std::swap(batch.numbers[i - 1], batch.numbers[other]);
     }
     batches.push_back(std::move(batch));
   }

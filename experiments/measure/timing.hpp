@@ -7,11 +7,13 @@
 // rotates, each once per round on the same triangles; a slow one on the same leading share of each
 // view. Of the rounds come the median time per triangle with its 95 % interval and, round by round,
 // the ratio to the baseline run in that same round, so that a drift of the machine's speed
-// cancels. The thread is pinned to one processor where that is allowed.
+// cancels. The thread is pinned to one processor where that is allowed; threads that helped to check
+// are not.
 // Timed is the contract's whole way: view space in, NDC polygons out, written one after the other.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +28,7 @@ namespace clipscope::experiments {
 struct TimedBatch {
   View view;
   std::vector<SceneTriangle> triangles;
+  std::vector<std::size_t> numbers = {};  // in the mesh, one per triangle; empty if there is none
 };
 
 struct TimingOptions {
@@ -49,6 +52,16 @@ AnyContestant baseline();
 std::vector<Timing> measure_time(std::span<const TimedBatch> batches,
                                  std::span<const AnyContestant> contestants,
                                  const TimingOptions& options);
+
+// Runs the tasks in turn, round after round, each once per round, in an order that rotates, on a thread
+// that is pinned where that is allowed. A task returns what it measured, in ns per triangle.
+// Returns samples[task][round]: those of one round belong together.
+std::vector<std::vector<double>> run_in_turn(std::span<const std::function<double()>> tasks,
+                                             int rounds);
+
+// Round by round, one sample over the other. Pre-condition: as many in both.
+std::vector<double> ratios(std::span<const double> numerators,
+                           std::span<const double> denominators);
 
 // Up to `limit` triangles of the scene's views, evenly spaced and shuffled with a fixed seed, so
 // that a leading share of a batch is like the whole.

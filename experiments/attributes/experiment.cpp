@@ -40,8 +40,8 @@ WorstInput worst_input(const AnyContestant& contestant, const AttributeTriangle&
           "attribute",
           error,
           input,
-          fmt::format("echo '{}' | clipscope explain {} --clipper {}", input, attribute_options(),
-                      clipper_name(contestant))};
+          fmt::format("echo '{}' | clipscope explain {} --clipper {} --scalar {}", input,
+                      attribute_options(), clipper_name(contestant), scalar_name(contestant))};
 }
 
 void measure_planes(const Selection& selection, int planes, AttributeTables& tables,

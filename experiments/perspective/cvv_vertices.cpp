@@ -99,8 +99,8 @@ WorstInput worst_input(const AnyContestant& contestant, const CutError& error) {
           "attribute",
           error.max,
           numbers,
-          fmt::format("echo '{}' | clipscope explain {} --clipper {}", numbers, options,
-                      clipper_name(contestant))};
+          fmt::format("echo '{}' | clipscope explain {} --clipper {} --scalar {}", numbers, options,
+                      clipper_name(contestant), scalar_name(contestant))};
 }
 
 }  // namespace clipscope::experiments

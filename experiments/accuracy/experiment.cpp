@@ -2,8 +2,13 @@
 //
 // Accuracy: scenes x clippers x scalars against the exact frustum (T_frustum).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
+#include <utility>
 
 #include "experiments/experiment.hpp"
 #include "experiments/measure/accuracy.hpp"
@@ -65,6 +70,67 @@ void measure_scene(const Scene& scene, const Selection& selection, const Accurac
   }
 }
 
+// The usual clipper of each space, and the one that computes every vertex from the original three.
+constexpr std::array kUsual = {std::pair{"view space", "view/sutherland_hodgman"},
+                               std::pair{"clip space", "homogeneous/sutherland_hodgman"},
+                               std::pair{"the CVV (near plane first)", "cvv/near_first"},
+                               std::pair{"the distance matrix", "barycentric/distance_matrix"}};
+
+// Largest errors of a clipper in float by scene; where no triangle had the right vertices there is none.
+std::map<std::string, double> largest_by_scene(const Table& table, const std::string& clipper) {
+  std::map<std::string, double> largest;
+  const std::vector<Column>& columns = table.columns();
+  const auto at = std::ranges::find(columns, "max_px", &Column::key) - columns.begin();
+  for (std::size_t r = 0; r < table.rows().size(); ++r) {
+    const RowView row(table, r);
+    if (row.text("clipper") != clipper || row.text("scalar") != "float") continue;
+    const Cell& error = table.rows()[r][static_cast<std::size_t>(at)];
+    if (const auto* px = std::get_if<double>(&error)) largest[row.text("scene")] = *px;
+  }
+  return largest;
+}
+
+Plot error_plot(const Table& table) {
+  Plot plot{.name = "accuracy",
+            .title = "Largest error of float clipping on each scene",
+            .caption = "Over the triangles whose vertices are the right ones, at 3840 x 2160.",
+            .x = {.label = "scene"},
+            .y = {.label = "largest error [px]", .logarithmic = true},
+            .series = {},
+            .categories = {}};
+  for (const RowView& row : rows_of(table)) {
+    const std::string& scene = row.text("scene");
+    if (std::ranges::count(plot.categories, scene) == 0) plot.categories.push_back(scene);
+  }
+  for (const auto& [space, clipper] : kUsual) {
+    const std::map<std::string, double> largest = largest_by_scene(table, clipper);
+    if (largest.empty()) continue;
+    Series series{.name = space, .x = {}, .y = {}};
+    for (const std::string& scene : plot.categories) {
+      const auto px = largest.find(scene);
+      series.y.push_back(px == largest.end() ? std::nan("") : px->second);
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+std::string finding_of(const Table& table) {
+  std::vector<std::string> parts;
+  for (const auto& [space, clipper] : kUsual) {
+    const std::map<std::string, double> largest = largest_by_scene(table, clipper);
+    if (largest.empty()) continue;
+    const auto worst = std::ranges::max_element(
+        largest, {}, [](const auto& scene_and_px) { return scene_and_px.second; });
+    parts.push_back(
+        fmt::format("{} {} px on {}", space, format_number(worst->second), worst->first));
+  }
+  if (parts.empty()) return "None of the usual clippers was asked for in float.";
+  return fmt::format(
+      "The largest error of float clipping where the vertices are the right ones: {}.",
+      fmt::join(parts, ", "));
+}
+
 }  // namespace
 
 void run_accuracy(const ExperimentContext& context) {
@@ -88,6 +154,9 @@ void run_accuracy(const ExperimentContext& context) {
                   selection.seed, selection.quick ? " --quick" : ""));
   context.emit(tables.all);
   context.emit(tables.worst);
+  const Plot plot = error_plot(tables.all);
+  if (!plot.series.empty()) context.emit(plot);
+  context.finding(finding_of(tables.all));
 }
 
 }  // namespace clipscope::experiments

@@ -110,7 +110,7 @@ class Script {
   }
 
   void write_frame() {
-    const Box& a = layout_.area;
+    const LabelBox& a = layout_.area;
     line("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}", a.left / layout_.width,
          a.right / layout_.width);
     line("set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}", 1 - a.top / layout_.height,
@@ -148,7 +148,7 @@ class Script {
       line("set label {} at {} left font 'sans-serif:Bold,{}' textcolor rgb '{}'",
            gnuplot_string(t.text), screen(t.x, t.y), kTitleSize, kInk);
     }
-    const Box& a = layout_.area;
+    const LabelBox& a = layout_.area;
     const double middle_x = (a.left + a.right) / 2, middle_y = (a.top + a.bottom) / 2;
     line("set label {} at {} center font ',{}' textcolor rgb '{}'", gnuplot_string(plot_.x.label),
          screen(middle_x, layout_.height - 16), kFontSize, kInk);
@@ -242,7 +242,7 @@ class Script {
           index, colour);
     }
     return fmt::format(
-        "$intervals{} using 1:3:(0):($4-$3) with vectors heads size screen 0.005,90 nofilled "
+        "$intervals{} using 1:3:(0):($4-$3) with vectors heads size screen 0.005,90 fixed nofilled "
         "front lc rgb '{}' lw 1.25",
         index, bars() ? kInk : colour);
   }

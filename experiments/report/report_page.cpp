@@ -133,7 +133,12 @@ std::string section_html(const ReportExperiment& experiment, const std::set<std:
   for (const ReportFigure& figure : experiment.figures) {
     if (figure.plot) html += plot_html(figure);
   }
-  for (const Table& table : experiment.tables) html += table_html(table, parts);
+  // The table that answers the question is called by the experiment's name.
+  for (const bool main : {true, false}) {
+    for (const Table& table : experiment.tables) {
+      if ((table.name() == experiment.name) == main) html += table_html(table, parts);
+    }
+  }
   html += pictures_html(experiment.figures);
   for (const Table& table : experiment.more_tables) {
     html += fmt::format("<details><summary>{}</summary>\n{}</details>\n",

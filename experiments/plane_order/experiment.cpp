@@ -52,7 +52,7 @@ std::vector<AnyContestant> timed_contestants() {
 
 void run_plane_order(const ExperimentContext& context) {
   const Selection& selection = context.selection();
-  Table orders = orders_table(), classes = classes_table(), times = times_table();
+  Table orders = orders_table(), classes = classes_table(), times = order_times_table();
   const std::vector<std::string> sets = set_names(selection);
   Progress progress("plane_order", sets.size() + mixes(selection).size());
   for (const std::string& name : sets) {

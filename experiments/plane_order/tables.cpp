@@ -241,7 +241,7 @@ void add_worst(const SetResult& result, CellRecord& record) {
   add_worst_in(result, "double", result.in_double, record);
 }
 
-Table times_table() {
+Table order_times_table() {
   Table table("plane_order_time", "Time per triangle by the order of planes",
               {{"mix", "mix"},
                {"clipper", "clipper"},

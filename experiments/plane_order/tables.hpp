@@ -36,7 +36,7 @@ void add_classes(const SetResult& result, Table& table);
 void add_worst(const SetResult& result, CellRecord& record);
 
 // The time of near last and others, against near first in the same rounds.
-Table times_table();
+Table order_times_table();
 void add_times(const std::string& mix, std::span<const AnyContestant> contestants,
                std::span<const Timing> timings, Table& table, CellRecord& record);
 

@@ -181,7 +181,7 @@ Table planes_table() {
                                 {"clipper", "clipper"},
                                 {"scalar", "scalar"},
                                 {"plane", "plane"},
-                                {"neighbours", "neighbours cut by"}}));
+                                {"neighbours", "both cut by"}}));
   table.add_note(
       "Several: more than one plane cuts the edge. None: all of the edge is inside, a neighbour is "
       "cut.");
@@ -197,7 +197,7 @@ void add_planes(const std::string& scene, Contestants contestants, Tallies talli
         std::vector<Cell> row = {scene, std::string(clipper_name(contestants[c])),
                                  std::string(scalar_name(contestants[c])),
                                  std::string(kEdgeClasses[k]),
-                                 std::string(different ? "different planes" : "the same planes")};
+                                 std::string(different ? "different" : "the same")};
         append_gap(tally, row);
         table.add_row(std::move(row));
       }
@@ -210,7 +210,7 @@ Table worst_table() {
                {{"scene", "scene"},
                 {"clipper", "clipper"},
                 {"scalar", "scalar"},
-                {"view", "view"},
+                {"view", "view", 18},
                 {"first_triangle", "first triangle"},
                 {"second_triangle", "second"},
                 {"first_corner", "opposite corner"},

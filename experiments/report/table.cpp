@@ -14,19 +14,13 @@
 #include <system_error>
 
 #include "experiments/errors.hpp"
+#include "experiments/report/latex.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
 constexpr std::size_t kTextWidth = 100;  // terminal columns
 constexpr std::size_t kGap = 2;
-
-std::string format_cell(const Cell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
-  if (const auto* count = std::get_if<std::int64_t>(&cell)) return fmt::format("{}", *count);
-  if (const auto* number = std::get_if<double>(&cell)) return format_number(*number);
-  return "-";
-}
 
 // The value to the last digit, quoted where CSV asks for it (RFC 4180).
 std::string csv_cell(const Cell& cell) {
@@ -40,26 +34,6 @@ std::string csv_cell(const Cell& cell) {
     if (c == '"') quoted += c;
   }
   return quoted + '"';
-}
-
-std::string latex_escape(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-      case '%':
-      case '$':
-      case '#':
-      case '_':
-      case '{':
-      case '}': escaped += fmt::format("\\{}", c); break;
-      case '\\': escaped += "\\textbackslash{}"; break;
-      case '~': escaped += "\\textasciitilde{}"; break;
-      case '^': escaped += "\\textasciicircum{}"; break;
-      default: escaped += c;
-    }
-  }
-  return escaped;
 }
 
 // The number of terminal columns of a UTF-8 text without wide characters.
@@ -80,18 +54,43 @@ std::string right_trimmed(std::string line) {
   return line;
 }
 
-// A note: words in lines of at most kTextWidth, indented by two.
-std::string wrapped(const std::string& note) {
-  std::string text, line = " ";
-  std::istringstream words(note);
+// The words of a text in lines of at most `width`; one line where it is 0.
+std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
+  if (width == 0 || display_width(text) <= width) return {text};
+  std::vector<std::string> lines(1);
+  std::istringstream words(text);
   for (std::string word; words >> word;) {
-    if (display_width(line) + 1 + display_width(word) > kTextWidth) {
-      text += line + "\n";
-      line = " ";
+    if (lines.back().empty()) {
+      lines.back() = word;
+    } else if (display_width(lines.back()) + 1 + display_width(word) <= width) {
+      lines.back() += " " + word;
+    } else {
+      lines.push_back(word);
     }
-    line += " " + word;
   }
-  return text + line + "\n";
+  return lines;
+}
+
+// A note, indented by two.
+std::string indented(const std::string& note) {
+  std::string text;
+  for (const std::string& line : wrapped(note, kTextWidth - 2)) text += "  " + line + "\n";
+  return text;
+}
+
+// Rows whose long cells go on in further rows, empty elsewhere.
+std::vector<std::vector<std::string>> broken_into_lines(
+    const std::vector<std::vector<std::string>>& rows, const std::vector<Column>& columns) {
+  std::vector<std::vector<std::string>> result;
+  for (const std::vector<std::string>& row : rows) {
+    const std::size_t first = result.size();
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::vector<std::string> lines = wrapped(row[c], columns[c].wrap);
+      while (result.size() < first + lines.size()) result.emplace_back(row.size());
+      for (std::size_t i = 0; i < lines.size(); ++i) result[first + i][c] = lines[i];
+    }
+  }
+  return result;
 }
 
 nlohmann::json json_cell(const Cell& cell) {
@@ -105,6 +104,13 @@ nlohmann::json json_cell(const Cell& cell) {
 }
 
 }  // namespace
+
+std::string format_cell(const Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return fmt::format("{}", *count);
+  if (const auto* number = std::get_if<double>(&cell)) return format_number(*number);
+  return "-";
+}
 
 std::string format_number(double value) {
   if (value == 0.0) return "0";
@@ -201,6 +207,7 @@ std::string Table::to_text(std::size_t most) const {
   auto cells = formatted();
   const std::size_t hidden = cells.size() > most ? cells.size() - most : 0;
   cells.resize(cells.size() - hidden);
+  cells = broken_into_lines(cells, columns_);
   const std::vector<std::size_t> width = widths(cells);
   std::string text = title_ + "\n";
   for (const std::vector<std::size_t>& block : blocks(width)) {
@@ -219,7 +226,7 @@ std::string Table::to_text(std::size_t most) const {
     }
   }
   if (hidden > 0) text += fmt::format("... and {} more rows in {}.md\n", hidden, name_);
-  for (const std::string& note : notes_) text += wrapped(note);
+  for (const std::string& note : notes_) text += indented(note);
   return text;
 }
 

@@ -19,6 +19,8 @@ namespace clipscope::experiments {
 struct Column {
   std::string key;   // for CSV and JSON: lower case, with its unit: "max_px"
   std::string head;  // for people: "max [px]"
+  // On a terminal, texts are broken into lines of at most so many characters; 0: they are not.
+  std::size_t wrap = 0;
 };
 
 // Empty (printed as a dash), a text, a count, or a measured number.
@@ -66,6 +68,9 @@ class Table {
 
 // Three significant digits, plain where that is short, else with a power of ten: 0.125, 13.4, 2.1e-07.
 std::string format_number(double value);
+
+// As people read it: a dash for an empty cell, numbers as format_number has them.
+std::string format_cell(const Cell& cell);
 
 // Writes a whole file under a temporary name and moves it into place, making the directory if there is
 // none. Throws OutputError naming the path and the reason.

@@ -13,27 +13,27 @@ constexpr double kPerCharacter =
 constexpr double kNear = 7;        // px between a point and a text beside it
 constexpr double kDropped = 0.25;  // a text covered by more than this by others is left out
 
-double area_of(const Box& box) { return (box.right - box.left) * (box.bottom - box.top); }
+double area_of(const LabelBox& box) { return (box.right - box.left) * (box.bottom - box.top); }
 
-double overlap(const Box& a, const Box& b) {
+double overlap(const LabelBox& a, const LabelBox& b) {
   const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
   const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
   return width > 0 && height > 0 ? width * height : 0;
 }
 
-bool within(const Box& box, const Box& area) {
+bool within(const LabelBox& box, const LabelBox& area) {
   return box.left >= area.left && box.right <= area.right && box.top >= area.top &&
          box.bottom <= area.bottom;
 }
 
-double covered(const Box& box, const std::vector<Box>& by) {
+double covered(const LabelBox& box, const std::vector<LabelBox>& by) {
   double sum = 0;
-  for (const Box& other : by) sum += overlap(box, other);
+  for (const LabelBox& other : by) sum += overlap(box, other);
   return sum;
 }
 
 // The box whose nearest corner or edge is `distance` from the point in a direction (dx, dy of -1, 0, 1).
-Box box_towards(const PointLabel& label, int dx, int dy, double distance) {
+LabelBox box_towards(const PointLabel& label, int dx, int dy, double distance) {
   const double reach = dx != 0 && dy != 0 ? distance * 0.7 : distance;
   const double x = label.x + dx * (reach + label.width / 2);
   const double y = label.y + dy * (reach + label.height / 2);
@@ -75,15 +75,15 @@ std::vector<Candidate> candidates(const PointLabel& label) {
 }  // namespace
 
 std::vector<std::optional<LabelPlace>> place_labels(const std::vector<PointLabel>& labels,
-                                                    const std::vector<Box>& obstacles,
-                                                    const Box& area) {
+                                                    const std::vector<LabelBox>& obstacles,
+                                                    const LabelBox& area) {
   std::vector<std::optional<LabelPlace>> places;
-  std::vector<Box> taken;
+  std::vector<LabelBox> taken;
   for (const PointLabel& label : labels) {
     std::optional<LabelPlace> best;
     double least = INFINITY;
     for (const Candidate& candidate : candidates(label)) {
-      const Box& box = candidate.place.box;
+      const LabelBox& box = candidate.place.box;
       if (!within(box, area)) continue;
       const double by_texts = covered(box, taken);
       const double cost = candidate.burden + 6 * by_texts + covered(box, obstacles);

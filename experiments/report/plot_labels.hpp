@@ -13,7 +13,7 @@
 namespace clipscope::experiments {
 
 // All lengths in px, x to the right, y downward.
-struct Box {
+struct LabelBox {
   double left = 0, top = 0, right = 0, bottom = 0;
 };
 
@@ -24,14 +24,14 @@ struct PointLabel {
 };
 
 struct LabelPlace {
-  Box box;
+  LabelBox box;
   bool distant = false;  // wants a line to its point
 };
 
 // One place per label, or none; all within `area`. obstacles: what should not be covered (marks, curves).
 std::vector<std::optional<LabelPlace>> place_labels(const std::vector<PointLabel>& labels,
-                                                    const std::vector<Box>& obstacles,
-                                                    const Box& area);
+                                                    const std::vector<LabelBox>& obstacles,
+                                                    const LabelBox& area);
 
 // About how wide a text is in a sans-serif face [px], size: of the font [px].
 double text_width(const std::string& text, double size);

@@ -178,8 +178,8 @@ void place_area(const Plot& plot, double top, PlotLayout& layout) {
 }
 
 // Curves as many small boxes, marks as one each.
-std::vector<Box> obstacles(const Plot& plot, const PlotLayout& layout) {
-  std::vector<Box> boxes;
+std::vector<LabelBox> obstacles(const Plot& plot, const PlotLayout& layout) {
+  std::vector<LabelBox> boxes;
   const auto add = [&](double x, double y, double reach) {
     boxes.push_back({x - reach, y - reach, x + reach, y + reach});
   };
@@ -210,20 +210,20 @@ void place_point_labels(const Plot& plot, PlotLayout& layout) {
   for (const auto& points : layout.points) {
     for (const DrawnPoint& p : points) {
       const double x = layout.x_px(p.x), y = layout.y_px(bars ? std::max(p.y, p.high) : p.y);
-      const Box& a = layout.area;
+      const LabelBox& a = layout.area;
       if (p.label.empty() || x < a.left || x > a.right || y < a.top || y > a.bottom) continue;
       wanted.push_back({x, y, text_width(p.label, kLabelSize), kLabelSize + 2, bars});
       texts.push_back(p.label);
     }
   }
   if (wanted.empty()) return;
-  const Box area{layout.area.left + 3, layout.area.top - 4, kCanvasWidth - 4,
-                 layout.area.bottom - 3};
+  const LabelBox area{layout.area.left + 3, layout.area.top - 4, kCanvasWidth - 4,
+                      layout.area.bottom - 3};
   const auto places =
-      place_labels(wanted, bars ? std::vector<Box>() : obstacles(plot, layout), area);
+      place_labels(wanted, bars ? std::vector<LabelBox>() : obstacles(plot, layout), area);
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!places[i]) continue;
-    const Box& box = places[i]->box;
+    const LabelBox& box = places[i]->box;
     const double x = wanted[i].x, y = wanted[i].y;
     layout.labels.push_back({{texts[i], box.left, (box.top + box.bottom) / 2},
                              places[i]->distant,

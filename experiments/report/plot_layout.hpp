@@ -53,7 +53,7 @@ struct KeyEntry {
 // Lengths in px, y downward.
 struct PlotLayout {
   double width = 0, height = 0;
-  Box area;              // within the axes
+  LabelBox area;         // within the axes
   double y_label_x = 0;  // the middle of the name of the y axis
   Scale x, y;
   double bar_width = 0;                         // in categories

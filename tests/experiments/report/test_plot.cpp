@@ -314,11 +314,11 @@ TEST_CASE("labels: texts beside crowded points do not cover each other") {
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!places[i]) continue;
     ++placed;
-    const Box& a = places[i]->box;
+    const LabelBox& a = places[i]->box;
     CHECK((a.left >= 0 && a.top >= 0 && a.right <= 600 && a.bottom <= 400));
     for (std::size_t k = 0; k < i; ++k) {
       if (!places[k]) continue;
-      const Box& b = places[k]->box;
+      const LabelBox& b = places[k]->box;
       const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
       const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
       CHECK((width <= 0 || height <= 0 || width * height <= 0.25 * 60 * 12));

@@ -78,7 +78,7 @@ void draw_legend(Canvas& canvas, const Layout& layout) {
     const LegendEntry& entry = kLegend[i];
     const int x = kMargin + i % 3 * column_width;
     const int y = layout.legend_y() + kEm + i / 3 * kEm * 2;
-    const Box box = {x, y, kEm, kEm};
+    const Area box = {x, y, kEm, kEm};
     canvas.fill(box, sign_colour(entry.computed, entry.exact));
     canvas.outline(box, {0, 0, 0});
     canvas.fitted_text(x + kEm * 3 / 2, y + kEm * 7 / 8, column_width - 2 * kEm, entry.name,

@@ -115,7 +115,7 @@ bool draw_ulp_grid(CaseSketch& s, Panel& panel, const ScreenError& error) {
     const auto ulp = ulp_in(s.picture.scalar, CGAL::to_double(error.answer[c]));
     if (!ulp) return drawn;
     const double step = *ulp * (c == 0 ? kScreenWidth : kScreenHeight) / 2;
-    const Axis& axis = c == 0 ? panel.horizontal() : panel.vertical();
+    const PanelAxis& axis = c == 0 ? panel.horizontal() : panel.vertical();
     const double side = c == 0 ? panel.frame().width : panel.frame().height;
     if (!(step / axis.size() * side >= kLeastGrid)) continue;
     drawn = true;

@@ -16,8 +16,8 @@ using reference::Rational;
 
 constexpr double kFarthest = 1e39;  // beyond all floats
 
-std::string coordinates_text(const ExactPosition& p, const Axis& a, const Axis& b) {
-  const auto one = [&](const Axis& axis) {
+std::string coordinates_text(const ExactPosition& p, const PanelAxis& a, const PanelAxis& b) {
+  const auto one = [&](const PanelAxis& axis) {
     const double value = CGAL::to_double(p[static_cast<std::size_t>(axis.coordinate)]);
     return fmt::format("{} = {}", "xyzw"[axis.coordinate], short_number(value, 3));
   };
@@ -53,7 +53,7 @@ std::vector<std::string> draw_input(CaseSketch& s, Panel& panel, const ExactShap
 
 struct ViewPanel {
   Rect frame;
-  Axis horizontal, vertical;
+  PanelAxis horizontal, vertical;
   ExactShape (*frustum)(const HardCase&, double);
   std::string title;
 };
@@ -128,8 +128,8 @@ ClipLines clip_lines(const HardCase& hard_case, int coordinate) {
 }
 
 Panel clip_panel(const CaseSketch& s, const Rect& frame, int coordinate) {
-  Axis horizontal{.coordinate = coordinate, .name = std::string(1, "xyz"[coordinate])};
-  Axis vertical{.coordinate = 3, .name = "w"};
+  PanelAxis horizontal{.coordinate = coordinate, .name = std::string(1, "xyz"[coordinate])};
+  PanelAxis vertical{.coordinate = 3, .name = "w"};
   WindowRequest request{.must = s.geometry.visible_clip, .may = s.geometry.input_clip};
   request.must.push_back(position_at(0, 0, 0, 0));
   fit_window(request, horizontal, vertical);

@@ -40,7 +40,7 @@ PlanarShape cut(const PlanarShape& shape, std::size_t c, const Rational& bound, 
 }
 
 // The position along an axis: 0 at its low end, 1 at its high one.
-Rational fraction_along(const Axis& axis, const ExactPosition& p) {
+Rational fraction_along(const PanelAxis& axis, const ExactPosition& p) {
   const Rational low = to_rational(axis.low), high = to_rational(axis.high);
   const Rational t = (p[static_cast<std::size_t>(axis.coordinate)] - low) / (high - low);
   return axis.reversed ? Rational(1 - t) : t;
@@ -68,7 +68,7 @@ double tick_step(double size) {
 
 std::string tick_text(double tick) { return fmt::format("{:.5g}", tick); }
 
-std::vector<double> ticks_of(const Axis& axis) {
+std::vector<double> ticks_of(const PanelAxis& axis) {
   const double step = tick_step(axis.size());
   std::vector<double> ticks;
   if (!(step > 0) || !std::isfinite(step)) return ticks;
@@ -86,7 +86,7 @@ std::string short_number(double value, int digits) {
   return fmt::format("{:.{}g}", value == 0 ? 0.0 : value, digits);
 }
 
-Panel::Panel(VectorPage& page, const Rect& frame, Axis horizontal, Axis vertical)
+Panel::Panel(VectorPage& page, const Rect& frame, PanelAxis horizontal, PanelAxis vertical)
     : page_(page),
       frame_(frame),
       horizontal_(std::move(horizontal)),
@@ -150,7 +150,7 @@ void Panel::stroke(const ExactShape& shape, const Pen& pen) {
 
 void Panel::draw_ticks() {
   const Lettering style = {.size = kTickText, .anchor = Anchor::middle, .colour = kTick};
-  const auto place = [](const Axis& axis, double tick) {
+  const auto place = [](const PanelAxis& axis, double tick) {
     const double t = (tick - axis.low) / axis.size();
     return axis.reversed ? 1 - t : t;
   };

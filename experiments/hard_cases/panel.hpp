@@ -16,7 +16,7 @@
 namespace clipscope::experiments {
 
 // One coordinate of a position as one axis of a panel.
-struct Axis {
+struct PanelAxis {
   int coordinate = 0;
   std::string name = "";
   bool reversed = false;  // grows to the left, or downwards
@@ -33,15 +33,15 @@ struct WindowRequest {
   ExactShape must = {}, rather = {}, may = {};
   bool free_aspect = false;
 };
-void fit_window(const WindowRequest& request, Axis& horizontal, Axis& vertical);
+void fit_window(const WindowRequest& request, PanelAxis& horizontal, PanelAxis& vertical);
 
 class Panel {
  public:
-  Panel(VectorPage& page, const Rect& frame, Axis horizontal, Axis vertical);
+  Panel(VectorPage& page, const Rect& frame, PanelAxis horizontal, PanelAxis vertical);
 
   const Rect& frame() const { return frame_; }
-  const Axis& horizontal() const { return horizontal_; }
-  const Axis& vertical() const { return vertical_; }
+  const PanelAxis& horizontal() const { return horizontal_; }
+  const PanelAxis& vertical() const { return vertical_; }
   // The larger side of the window.
   double extent() const { return std::max(horizontal_.size(), vertical_.size()); }
   bool holds(const ExactPosition& p) const;
@@ -93,7 +93,7 @@ class Panel {
 
   VectorPage& page_;
   Rect frame_;
-  Axis horizontal_, vertical_;
+  PanelAxis horizontal_, vertical_;
   int lines_said_ = 0;
 };
 

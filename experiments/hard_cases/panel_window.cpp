@@ -32,7 +32,8 @@ struct Window {
   }
 };
 
-std::vector<std::array<double, 2>> planar(const ExactShape& shape, const Axis& h, const Axis& v) {
+std::vector<std::array<double, 2>> planar(const ExactShape& shape, const PanelAxis& h,
+                                          const PanelAxis& v) {
   std::vector<std::array<double, 2>> r;
   for (const ExactPosition& p : shape) {
     const double x = CGAL::to_double(p[static_cast<std::size_t>(h.coordinate)]);
@@ -75,7 +76,7 @@ Window smallest_window(const std::vector<std::array<double, 2>>& must,
   return window;
 }
 
-void set_axis(Axis& axis, const Interval& interval, double size) {
+void set_axis(PanelAxis& axis, const Interval& interval, double size) {
   const double middle = interval.low / 2 + interval.high / 2;
   // No smaller than what doubles tell apart.
   const double half = std::max(size * (0.5 + kMargin), std::abs(middle) * 1e-12);
@@ -85,7 +86,7 @@ void set_axis(Axis& axis, const Interval& interval, double size) {
 
 }  // namespace
 
-void fit_window(const WindowRequest& request, Axis& horizontal, Axis& vertical) {
+void fit_window(const WindowRequest& request, PanelAxis& horizontal, PanelAxis& vertical) {
   const auto must = planar(request.must, horizontal, vertical);
   const auto may = sorted(planar(request.may, horizontal, vertical));
   const Window smallest = smallest_window(must, may);

@@ -126,9 +126,10 @@ Picture write_affine_picture(const std::filesystem::path& folder, const Scene& s
       "affine, clipped, then each triangle cut into 64"};
   static constexpr PictureOptions kOptions{.cells_per_unit = 1};
   const std::string how(kHow[static_cast<std::size_t>(pieces)]);
-  const std::array<Panel, 3> panels = {{{how, shade(picture.affine, kOptions)},
-                                        {"perspective-correct", shade(picture.correct, kOptions)},
-                                        {"error of the affine picture", picture.error.image}}};
+  const std::array<PicturePanel, 3> panels = {
+      {{how, shade(picture.affine, kOptions)},
+       {"perspective-correct", shade(picture.correct, kOptions)},
+       {"error of the affine picture", picture.error.image}}};
   const std::string title = fmt::format("{}, {}", scene.name, scene.views.front().label);
   std::string file =
       fmt::format("perspective-{}-{}.png", std::filesystem::path(scene.name).stem().string(),

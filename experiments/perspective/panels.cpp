@@ -18,7 +18,7 @@ const Rgb kPaper = from_hex(0xffffff);
 struct Layout {
   int panels, width, height, em;
 
-  Layout(std::span<const Panel> all)
+  Layout(std::span<const PicturePanel> all)
       : panels(static_cast<int>(all.size())),
         width(all.front().image.width),
         height(all.front().image.height),
@@ -37,9 +37,10 @@ std::string plain(double value) {
   return value < 100 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
 }
 
-// The colours of the heat map beneath the last panel, with a tick at each power of ten.
+// The colours of the heat map beneath the last panel, with a tick at each power of ten and a number at each
+// other one.
 void draw_scale(Canvas& canvas, const Layout& l, const HeatMap& map) {
-  const Box bar{l.x(l.panels - 1), l.legend(), l.width, l.em};
+  const Area bar{l.x(l.panels - 1), l.legend(), l.width, l.em};
   for (int i = 0; i < bar.width; ++i) {
     canvas.fill({bar.x + i, bar.y, 1, bar.height}, error_colour((i + 0.5) / bar.width));
   }
@@ -53,6 +54,7 @@ void draw_scale(Canvas& canvas, const Layout& l, const HeatMap& map) {
     const Align align = exponent == first  ? Align::left
                         : exponent == last ? Align::right
                                            : Align::center;
+    if ((exponent - first) % 2 != 0) continue;
     canvas.text(x, bar.y + bar.height + l.em * 3 / 2, plain(value),
                 {l.em * 4 / 5, Weight::regular, align, kInk});
   }
@@ -62,22 +64,23 @@ void draw_scale_labels(Canvas& canvas, const Layout& l, const HeatMap& map) {
   const int x = l.x(l.panels - 1), y = l.legend() + 4 * l.em;
   canvas.fitted_text(x, y, l.width, measure_label(map.options.measure),
                      {l.em, Weight::regular, Align::left, kInk});
-  canvas.fitted_text(
-      x, y + l.em * 3 / 2, l.width,
-      fmt::format("max {:.3g}, median {:.3g}; above 1 texel: {:.3g} % of the pixels",
-                  map.counts.max_error, map.counts.median_error, 100 * map.counts.share_above_one),
-      {l.em, Weight::regular, Align::left, kInk});
+  canvas.fitted_text(x, y + l.em * 3 / 2, l.width,
+                     fmt::format("max {}, median {}; above 1 texel: {:.3g} % of the pixels",
+                                 plain(map.counts.max_error), plain(map.counts.median_error),
+                                 100 * map.counts.share_above_one),
+                     {l.em, Weight::regular, Align::left, kInk});
 }
 
 }  // namespace
 
-Image compose_panels(const std::string& title, std::span<const Panel> panels, const HeatMap& map) {
+Image compose_panels(const std::string& title, std::span<const PicturePanel> panels,
+                     const HeatMap& map) {
   const Layout l(panels);
   Canvas canvas(l.total_width(), l.total_height(), kPaper);
   canvas.fitted_text(l.margin(), l.margin() + l.em, l.total_width() - 2 * l.margin(), title,
                      {l.em * 5 / 4, Weight::bold, Align::left, kInk});
   for (int i = 0; i < l.panels; ++i) {
-    const Panel& panel = panels[static_cast<std::size_t>(i)];
+    const PicturePanel& panel = panels[static_cast<std::size_t>(i)];
     canvas.fitted_text(l.x(i), l.top() - l.em / 2, l.width, panel.title,
                        {l.em, Weight::regular, Align::left, kInk});
     canvas.paste(panel.image, l.x(i), l.top(), 1);

@@ -10,13 +10,14 @@
 
 namespace clipscope::experiments {
 
-struct Panel {
+struct PicturePanel {
   std::string title;  // ASCII
   Image image;
 };
 
 // On white. Pre-condition: at least one panel; all images have the same size, at least 320 px wide.
 // Throws OutputError if there is no font (see render/canvas.hpp).
-Image compose_panels(const std::string& title, std::span<const Panel> panels, const HeatMap& map);
+Image compose_panels(const std::string& title, std::span<const PicturePanel> panels,
+                     const HeatMap& map);
 
 }  // namespace clipscope::experiments

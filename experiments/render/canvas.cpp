@@ -60,14 +60,14 @@ Canvas::Canvas(int width, int height, const Rgb& background)
   fill({0, 0, width, height}, background);
 }
 
-void Canvas::fill(const Box& box, const Rgb& colour) {
+void Canvas::fill(const Area& box, const Rgb& colour) {
   const Rgb value = encoded(colour);
   const OIIO::ROI roi(box.x, box.x + box.width, box.y, box.y + box.height, 0, 1, 0, 3);
   OIIO::ImageBufAlgo::fill(pixels_, OIIO::cspan<float>(value.data(), 3),
                            OIIO::roi_intersection(roi, pixels_.roi()), 1);
 }
 
-void Canvas::outline(const Box& box, const Rgb& colour) {
+void Canvas::outline(const Area& box, const Rgb& colour) {
   fill({box.x - 1, box.y - 1, box.width + 2, 1}, colour);
   fill({box.x - 1, box.y + box.height, box.width + 2, 1}, colour);
   fill({box.x - 1, box.y, 1, box.height}, colour);

@@ -26,7 +26,7 @@ struct TextStyle {
   Rgb colour = {0, 0, 0};
 };
 
-struct Box {
+struct Area {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
@@ -34,8 +34,8 @@ class Canvas {
  public:
   Canvas(int width, int height, const Rgb& background);
 
-  void fill(const Box& box, const Rgb& colour);
-  void outline(const Box& box, const Rgb& colour);          // 1 px, outside the box
+  void fill(const Area& box, const Rgb& colour);
+  void outline(const Area& box, const Rgb& colour);         // 1 px, outside the box
   void paste(const Image& image, int x, int y, int scale);  // each pixel becomes scale x scale
   // The text's baseline starts, has its middle or ends at (x, y). Throws OutputError without a font.
   void text(int x, int y, std::string_view text, const TextStyle& style);

@@ -102,7 +102,7 @@ void draw_categories(Canvas& canvas, const Layout& l, const HeatMap& map) {
   for (std::size_t i = 0; i < kLegend.size(); ++i) {
     const int x = l.margin + static_cast<int>(i / 3) * column_width;
     const int y = l.legend + static_cast<int>(i % 3) * l.em * 7 / 4;
-    const Box swatch{x + 1, y + 1, l.em * 3 / 2, l.em};
+    const Area swatch{x + 1, y + 1, l.em * 3 / 2, l.em};
     canvas.fill(swatch, fate_colour(kLegend[i].fate));
     canvas.outline(swatch, from_hex(0x8a8d93));
     canvas.text(x + l.em * 9 / 4, y + l.em * 7 / 8, label(kLegend[i], map.options.measure), name);
@@ -130,7 +130,7 @@ void draw_power_of_ten(Canvas& canvas, int x, int y, int em, int exponent) {
 
 // The colour scale beneath the heat map, with a tick at each power of ten.
 void draw_scale(Canvas& canvas, const Layout& l, const HeatMap& map) {
-  const Box bar{l.right_x(), l.legend + 1, l.panel_width, l.em};
+  const Area bar{l.right_x(), l.legend + 1, l.panel_width, l.em};
   for (int i = 0; i < bar.width; ++i) {
     canvas.fill({bar.x + i, bar.y, 1, bar.height}, error_colour((i + 0.5) / bar.width));
   }

@@ -67,7 +67,7 @@ void run_segments(const ExperimentContext& context) {
   const auto contestants = contestants_of(selection.clipper, timed_scalars(selection));
   const auto counted = counting_contestants(selection.clipper);
   const Sizes sizes = sizes_of(selection);
-  Table times = times_table(), operations = operations_table(),
+  Table times = segment_times_table(), operations = operations_table(),
         intersections = intersection_table();
 
   const auto names = selection.scenes.empty() ? builtin_mixes() : selection.scenes;

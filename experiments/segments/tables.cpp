@@ -37,7 +37,7 @@ void add_worst(const SegmentContestant& contestant, const SegmentTally& tally, C
 
 }  // namespace
 
-Table times_table() {
+Table segment_times_table() {
   Table table("segments", "Line clippers: time per segment and what is wrong, four attributes",
               {{"mix", "mix"},
                {"clipper", "clipper"},

@@ -11,7 +11,7 @@
 namespace clipscope::experiments {
 
 // Mix x clipper x scalar: time, ratio to the baseline, what is wrong, error.
-Table times_table();
+Table segment_times_table();
 // Adds a row, and to the record the samples and the worst inputs.
 void add_time(const SegmentMix& mix, const SegmentContestant& contestant, const Timing& timing,
               const SegmentTally& tally, Table& table, CellRecord& record);

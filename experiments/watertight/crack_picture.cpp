@@ -62,7 +62,7 @@ void draw_ring(VectorPage& page, Spot centre, double radius) {
 // Both neighbours on the screen; a ring where they part.
 void draw_overview(VectorPage& page, const Rect& frame, const ClippedPair& pair) {
   const std::array<ExactShape, 2> shapes = both_seen_from({0, 0}, pair);
-  Axis x{0, "x [px]"}, y{1, "y [px]"};
+  PanelAxis x{0, "x [px]"}, y{1, "y [px]"};
   ExactShape all = shapes[0];
   all.insert(all.end(), shapes[1].begin(), shapes[1].end());
   fit_window({.must = all}, x, y);

@@ -216,7 +216,7 @@ TEST_CASE("case geometry: the largest error is the farthest from a nearest verte
 }
 
 TEST_CASE("panel: a window holds what it must, and of the rest what is not too far") {
-  Axis x{.coordinate = 0}, y{.coordinate = 1};
+  PanelAxis x{.coordinate = 0}, y{.coordinate = 1};
   fit_window(
       {.must = {position(0, 0), position(1, 0)}, .may = {position(0, 10), position(0, 1e37)}}, x,
       y);

@@ -67,7 +67,7 @@ TEST_CASE("affine picture: the correct one does not depend on the pieces, the af
 TEST_CASE("affine picture: the figure holds every panel beside the others") {
   const AffinePicture picture =
       draw_affine(triangle_scene(4), identity_view(), Pieces::clipped, {320, 180});
-  const std::array<Panel, 2> panels = {
+  const std::array<PicturePanel, 2> panels = {
       {{"left", shade(picture.correct)}, {"error", picture.error.image}}};
   const Image image = compose_panels("two panels", panels, picture.error);
   CHECK(image.width > 2 * 320);

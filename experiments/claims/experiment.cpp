@@ -76,10 +76,10 @@ Table rasterise_without_cutting(const ExperimentContext& context) {
 Results results_of(const ExperimentContext& context) {
   Results results;
   for (const char* name :
-       {"cost", "cost_operations", "frontier", "accuracy", "w_sign_epsilon", "w_sign_prevented",
-        "plane_order", "segments", "segments_operations", "segments_intersection", "bounds",
-        "guard_band_points", "guard_band_pictures", "depth", "depth_monotone", "hard_cases",
-        "pictures"}) {
+       {"cost", "cost_operations", "frontier", "accuracy", "perspective_clip", "w_sign_epsilon",
+        "w_sign_prevented", "plane_order", "segments", "segments_operations",
+        "segments_intersection", "bounds", "guard_band_points", "guard_band_pictures", "depth",
+        "depth_monotone", "hard_cases", "pictures"}) {
     if (const auto table = context.emitted(name)) results.add(*table);
   }
   return results;

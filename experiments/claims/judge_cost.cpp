@@ -266,7 +266,7 @@ Finding judge_correct_rounding(const Results& results) {
   }
   return {
       verdict_of(expensive, sets.size()),
-      fmt::format("The cheapest that rounds every coordinate right costs, against float clipping "
+      fmt::format("The cheapest that rounded every coordinate right costs, against float clipping "
                   "in clip space: {}.",
                   fmt::join(texts, "; "))};
 }

@@ -33,15 +33,17 @@ double largest(const Results& results, const std::string& table, const std::stri
 }  // namespace
 
 Finding judge_perspective(const Results& results) {
-  const double affine = largest(results, "accuracy", "max_attribute",
+  const double affine = largest(results, "perspective_clip", "max_error",
                                 {{"clipper", "cvv/naive"}, {"scalar", "exact"}});
-  const double correct = largest(results, "accuracy", "max_attribute",
+  const double correct = largest(results, "perspective_clip", "max_error",
                                  {{"clipper", "cvv/perspective"}, {"scalar", "exact"}});
   const auto verdict = affine > 0 && correct == 0 ? ClaimVerdict::confirmed : ClaimVerdict::refuted;
-  return {verdict,
-          fmt::format("In exact arithmetic affine interpolation after the divide is wrong by "
-                      "up to {:.2g}, with a/w and 1/w by {:.2g}.",
-                      affine, correct)};
+  return {
+      verdict,
+      fmt::format("In exact arithmetic new vertices cut after the divide have attributes wrong by "
+                  "up to {:.2g} of their range if they are interpolated as positions are, by "
+                  "{:.2g} with a/w and 1/w.",
+                  affine, correct)};
 }
 
 Finding judge_inside(const Results& results) {

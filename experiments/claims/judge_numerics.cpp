@@ -112,15 +112,17 @@ Finding judge_reversed_depth(const Results& results) {
            results.number("depth", "tied_percent", key);
   };
   std::vector<std::string> texts;
-  std::size_t better = 0;
+  std::size_t as_good = 0;
+  bool better = false;
   const std::vector<std::string> ratios = results.texts("depth", "far_near_ratio");
   for (const std::string& ratio : ratios) {
     const double reversed = lost("reversed", "float32", ratio);
     const double gl = lost("gl", "float32", ratio), zero = lost("zero_to_one", "float32", ratio);
-    better += reversed < gl && reversed < zero;
+    as_good += reversed <= gl && reversed <= zero;
+    better = better || (reversed < gl && reversed < zero);
     texts.push_back(fmt::format("{} {:.3g}/{:.3g}/{:.3g}", ratio, reversed, zero, gl));
   }
-  return {verdict_of(better, ratios.size()),
+  return {better ? verdict_of(as_good, ratios.size()) : ClaimVerdict::refuted,
           fmt::format("Neighbours not told apart in order, in % of a float buffer, reversed/[0, "
                       "1]/[-1, 1] by far/near: {}.",
                       fmt::join(texts, "; "))};

@@ -14,7 +14,7 @@ namespace clipscope::experiments {
 namespace {
 
 struct TableOptions {
-  std::string name, run = "results", format = "text";
+  std::string name, finding, run = "results", format = "text";
 };
 
 Table list_of_tables(const ResultsStore& store) {
@@ -31,8 +31,20 @@ Table list_of_tables(const ResultsStore& store) {
   return list;
 }
 
+std::string finding_of(const ResultsStore& store, const std::string& experiment) {
+  for (const StoredExperiment& e : store.experiments()) {
+    if (e.name == experiment && !e.finding.empty()) return e.finding;
+  }
+  throw UsageError(fmt::format("--finding: {} has none of an experiment '{}'",
+                               store.file().string(), experiment));
+}
+
 int print_table(const TableOptions& options) {
   const ResultsStore store(options.run);
+  if (!options.finding.empty()) {
+    fmt::print("{}\n", finding_of(store, options.finding));
+    return kExitOk;
+  }
   const Table table = options.name.empty() ? list_of_tables(store) : store.table(options.name);
   fmt::print("{}", formatted(table, options.format));
   return kExitOk;
@@ -46,6 +58,10 @@ void add_table_command(CLI::App& app, Action& action) {
   command->footer("Also of a run in work or one that was interrupted: what it has finished.");
   const auto options = std::make_shared<TableOptions>();
   command->add_option("name", options->name, "Name of a table [a list of all]");
+  command
+      ->add_option("--finding", options->finding,
+                   "Print the finding of this experiment instead of a table")
+      ->type_name("EXPERIMENT");
   command
       ->add_option("--run", options->run,
                    "Folder of a run (its --out), or a results.sqlite [results]")

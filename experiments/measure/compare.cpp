@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "experiments/measure/match.hpp"
 #include "experiments/scenes/scene.hpp"
 
 namespace clipscope::experiments {
@@ -54,28 +55,12 @@ double error_in_ulp(double error, double exact) {
   return ulp == 0.0 ? std::numeric_limits<double>::infinity() : std::abs(error) / ulp;
 }
 
-// Distinct vertices: a vertex equal to the one before it is left out, the last also if it equals the
-// first.
-template <class T, int K>
-std::vector<const NdcVertex<T, K>*> distinct(std::span<const NdcVertex<T, K>> polygon) {
-  const auto same = [](const NdcVertex<T, K>& a, const NdcVertex<T, K>& b) {
-    return a.position[0] == b.position[0] && a.position[1] == b.position[1] &&
-           a.position[2] == b.position[2];
-  };
-  std::vector<const NdcVertex<T, K>*> vertices;
-  for (const NdcVertex<T, K>& v : polygon) {
-    if (vertices.empty() || !same(v, *vertices.back())) vertices.push_back(&v);
-  }
-  while (vertices.size() > 1 && same(*vertices.front(), *vertices.back())) vertices.pop_back();
-  return vertices;
-}
-
-using Points = std::vector<std::array<double, 2>>;  // in px
+using Points = std::vector<ScreenPoint>;
 
 Points screen_points(const TruthPolygon& truth) {
   Points points;
   for (const std::vector<double>& v : truth.approximation) {
-    points.push_back({v[0] * kScreenWidth / 2, v[1] * kScreenHeight / 2});
+    points.push_back(screen_point(v[0], v[1]));
   }
   return points;
 }
@@ -83,10 +68,7 @@ Points screen_points(const TruthPolygon& truth) {
 template <class Vertices>
 Points screen_points(const Vertices& vertices) {
   Points points;
-  for (const auto* v : vertices) {
-    points.push_back({nearest_double(v->position[0]) * kScreenWidth / 2,
-                      nearest_double(v->position[1]) * kScreenHeight / 2});
-  }
+  for (const auto* v : vertices) points.push_back(screen_point(*v));
   return points;
 }
 
@@ -98,26 +80,6 @@ double signed_area(const Points& p) {
     area += (a[0] * b[1] - a[1] * b[0]) / 2;
   }
   return area;
-}
-
-struct Match {
-  std::size_t rotation = 0;  // vertex i of the truth is vertex (i + rotation) % n of the polygon
-  double distance = std::numeric_limits<double>::infinity();  // px, the largest
-};
-
-Match best_rotation(const Points& truth, const Points& polygon) {
-  const std::size_t n = truth.size();
-  const std::size_t rotations = n == 2 ? 1 : n;
-  Match best;
-  for (std::size_t rotation = 0; rotation < rotations; ++rotation) {
-    double largest = 0;
-    for (std::size_t i = 0; i < n && largest < best.distance; ++i) {
-      const auto& p = polygon[(i + rotation) % n];
-      largest = std::max(largest, std::hypot(p[0] - truth[i][0], p[1] - truth[i][1]));
-    }
-    if (largest < best.distance) best = {rotation, largest};
-  }
-  return best;
 }
 
 bool is_turned_round(const Points& truth, const Points& segment) {
@@ -200,7 +162,7 @@ Comparison compare(std::span<const NdcVertex<T, K>> polygon, const TruthPolygon&
     result.outcome = Outcome::not_finite;
     return result;
   }
-  const auto vertices = distinct(polygon);
+  const auto vertices = distinct_vertices(polygon);
   if (vertices.size() < truth.needed) {
     result.visible = truth.is_visible();
     result.outcome = truth.is_visible() ? Outcome::missing : Outcome::exact;
@@ -220,9 +182,10 @@ Comparison compare(std::span<const NdcVertex<T, K>> polygon, const TruthPolygon&
     result.outcome = Outcome::vertex_count;
     return result;
   }
-  const Match match = best_rotation(expected, found);
+  // A segment keeps its order.
+  const std::size_t rotation = found.size() == 2 ? 0 : best_rotation(expected, found);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    add_errors(*vertices[(i + match.rotation) % vertices.size()], truth.exact.vertices[i],
+    add_errors(*vertices[(i + rotation) % vertices.size()], truth.exact.vertices[i],
                truth.approximation[i], result);
   }
   result.outcome = category(result);

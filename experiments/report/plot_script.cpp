@@ -269,11 +269,12 @@ class Script {
         "'#ffffff'",
         w, h, kFontSize);
     line("set output 'plot.svg'\n{}\nunset output", command);
-    // 125 px to the inch: 6.4 in wide, the text of a page with its margins.
+    // 125 px to the inch: 6.4 in wide, the text of a page with its margins. A font's point is 1/72 in,
+    // which this terminal takes for 1/96: 72 / 125 * 72 / 96 = 0.432.
     line(
         "set terminal pdfcairo size {:.3f}in,{:.3f}in noenhanced font 'sans-serif,{}' fontscale "
-        "0.576 "
-        "linewidth 0.7 pointscale 0.6",
+        "0.432 "
+        "linewidth 1.2 pointscale 0.6",
         w / 125, h / 125, kFontSize);
     line("set output 'plot.pdf'\n{}\nunset output", command);
     line(

@@ -240,7 +240,7 @@ Finding judge_correct_rounding(const Results& results) {
   // The cheapest contestant all of whose coordinates are correctly rounded, by set of triangles.
   constexpr double kExpensive = 2.0;  // times the fastest float clipper in clip space
   std::vector<std::string> texts;
-  std::size_t expensive = 0;
+  std::vector<std::string> where;
   const std::vector<std::string> sets = results.texts("frontier", "set");
   for (const std::string& set : sets) {
     const double plain =
@@ -259,16 +259,21 @@ Finding judge_correct_rounding(const Results& results) {
       cheapest = *ns;
       which = format_cell(row[0]) + " in " + format_cell(row[1]);
     }
-    expensive += cheapest > kExpensive * plain;
+    if (cheapest > kExpensive * plain) where.push_back(set);
     texts.push_back(std::isfinite(cheapest)
                         ? fmt::format("{} {:.3g} times ({})", set, cheapest / plain, which)
                         : set + " none");
   }
-  return {
-      verdict_of(expensive, sets.size()),
-      fmt::format("The cheapest that rounded every coordinate right costs, against float clipping "
-                  "in clip space: {}.",
-                  fmt::join(texts, "; "))};
+  std::string because = fmt::format(
+      "The cheapest that rounded every coordinate right costs, against float clipping in clip "
+      "space: "
+      "{}.",
+      fmt::join(texts, "; "));
+  const ClaimVerdict verdict = verdict_of(where.size(), sets.size());
+  if (verdict == ClaimVerdict::conditional) {
+    because = fmt::format("The set is {}. ", fmt::join(where, ", ")) + because;
+  }
+  return {verdict, because};
 }
 
 }  // namespace clipscope::experiments

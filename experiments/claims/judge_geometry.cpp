@@ -74,10 +74,10 @@ Finding judge_winding(const Results& results) {
 
 Finding judge_two_triangles(const Results& results) {
   const Tally four = tally(results, "leaves 4 vertices");
-  const Tally touching = tally(results, "leaves 3: another vertex is on the plane");
+  const Tally touching = tally(results, "leaves fewer: another vertex is on the plane");
   const Tally other = tally(results, "leaves anything else");
   const std::string because = fmt::format(
-      "{} leave a quadrilateral, {:.0f} a triangle since another vertex lies on the plane, {:.0f} "
+      "{} leave a quadrilateral, {:.0f} fewer vertices since another lies on the plane, {:.0f} "
       "anything else.",
       four.text(), touching.count, other.count);
   if (!other.none()) return {ClaimVerdict::refuted, because};

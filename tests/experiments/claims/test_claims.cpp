@@ -88,7 +88,7 @@ TableTexts all_confirmed() {
       "fan triangles wound the other way, cut in clip space;100;0\n"
       "fan triangles wound the other way, divided first;100;0\n"
       "leaves 4 vertices;100;100\n"
-      "leaves 3: another vertex is on the plane;100;0\n"
+      "leaves fewer: another vertex is on the plane;100;0\n"
       "leaves anything else;100;0\n"
       "attribute at t in clip space is wrong;100;0\n"
       "attribute at t after the divide is wrong;100;0\n"

@@ -51,6 +51,16 @@ TEST_CASE("claims: theorems have no counterexample and false claims have some") 
   CHECK(counts_of(26)["more than 9 vertices"].count == 0);
 }
 
+TEST_CASE("claims: a vertex outside one plane leaves four vertices, or fewer with another on it") {
+  for (const CountingTask& task : counting_tasks()) {
+    if (task.claim != 8) continue;
+    const auto counts = task.run(1, 4000);  // as many as a full run
+    CHECK(counts[0].count + counts[1].count == counts[0].cases);
+    CHECK(counts[1].count > 0);
+    CHECK(counts[2].count == 0);
+  }
+}
+
 TEST_CASE("claims: the generator of single outsiders keeps its word") {
   Random random(3);
   const auto truth = reference::Truth::of_clip(DepthRange::minus_one_to_one);

@@ -107,8 +107,8 @@ Plot plot_over_planes(std::string name, std::string title, std::string caption, 
           .series = {}};
 }
 
-// Every clipper and scalar of the table but those that would be drawn on top of another, or so far off
-// that all others became one line; all of them if no other is left.
+// Every clipper in float and double but those that would be drawn on top of another, or so far off that
+// all others became one line; all of the table if no other is left.
 std::vector<Series> smooth_series(const Table& errors, std::string_view measure) {
   static constexpr std::array<std::string_view, 3> kLeftOut = {"textbook", "homogeneous/pipeline",
                                                                "cvv/naive"};
@@ -117,7 +117,8 @@ std::vector<Series> smooth_series(const Table& errors, std::string_view measure)
   for (const RowView& row : rows_of(errors)) {
     const std::string &clipper = row.text("clipper"), &scalar = row.text("scalar");
     if (!seen.emplace(clipper, scalar).second) continue;
-    const bool keep = std::ranges::find(kLeftOut, clipper) == kLeftOut.end();
+    const bool keep = (scalar == "float" || scalar == "double") &&
+                      std::ranges::find(kLeftOut, clipper) == kLeftOut.end();
     (keep ? shown : left_out)
         .push_back(series_of(errors, {"smooth", clipper, scalar}, measure,
                              fmt::format("{}, {}", clipper, scalar)));

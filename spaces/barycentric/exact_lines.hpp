@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+//
+// Lines in the barycentric plane of a triangle of floats, their meetings, and what is asked of them:
+// the sign of a determinant, and a quotient rounded to the nearest float.
+//
+// Each answer comes from doubles if a proved bound of their error settles it, and from expansions
+// else. Source: Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+// Predicates", 1997; filters for homogeneous points: Melquiond and Pion, "Formally certified
+// floating-point filters for homogeneous geometric predicates", 2007; predicates on points that are
+// kept as the lines that define them: Attene, "Indirect predicates for geometric constructions", 2020.
+//
+// Range. A float is a multiple of 2^-149 below 2^128, hence a sum of products of k of them is a
+// multiple of 2^(-149 k), and so is every rounded partial result and every rounding error on the way
+// (rounding keeps multiples of a smaller power of two). The largest degree is 6, for two vertices that
+// may coincide: multiples of 2^-894. A line's entry is below 2^129, the lambda of a meeting below
+// 2^259, its dot product with a line below 2^390, a product of two of these below 2^781. Nothing
+// under- or overflows, and nothing needs to be scaled.
+//
+// Lemma (filter). Let v be a sum of products of floats, and let every product pass through at most k
+// roundings of its factors, itself and sums in double, u = 2^-53. Let M be computed by the same
+// operations on magnitudes, differences turned into sums. Then |computed v - v| <= (k + 1) u M for
+// k <= 8: each product is off by a factor between (1 - u)^k and (1 + u)^k, so the error is at most
+// ((1 + u)^k - 1) times the exact sum of magnitudes, which is at most M (1 - u)^-k.
+// Counts: a line's entry 1; lambda: two entries, the product, the difference 4; its dot product with an
+// exact vector 4 + 1 + 2 = 7, with a line 8. One more u covers the rounding of the bound: 10 u M.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "spaces/expansion.hpp"
+#include "spaces/planes.hpp"
+
+namespace clipscope::barycentric {
+
+// What settled an answer.
+enum class Stage : std::uint8_t {
+  sign_filtered,      // a sign, by double
+  sign_exact,         // a sign, by expansions
+  quotient_filtered,  // a rounded quotient, by double
+  quotient_exact,     // by the quotient of the exact numerator and denominator, rounded
+  quotient_midpoint,  // by comparing with the midpoint of two floats
+  quotient_tie        // it is such a midpoint
+};
+inline constexpr int kStages = 6;
+
+// Called with the stage of each answer; this one costs nothing.
+struct CountNothing {
+  constexpr void operator()(Stage) const {}
+};
+struct CountStages {
+  std::array<std::int64_t, kStages> counts{};
+
+  constexpr void operator()(Stage stage) { ++counts[static_cast<int>(stage)]; }
+  constexpr std::int64_t operator[](Stage stage) const { return counts[static_cast<int>(stage)]; }
+};
+
+// Numbers at the three vertices, exact.
+using Values = std::array<double, 3>;
+
+// line . lambda >= 0 is inside; 0, on the line, is inside. The entries are rounded + error exactly, and
+// have the sign of `rounded`. `plane` is no bit for an edge of the triangle.
+struct Line {
+  Values rounded{}, error{};
+  Outcode plane = 0;
+};
+
+// lambda = a x b, times no more than a positive factor the point where the polygon's boundary goes over
+// from line a to line b; its entries are >= 0 and their sum is > 0 if that is so.
+struct Meeting {
+  const Line *a, *b;
+  Values lambda;     // rounded
+  Values magnitude;  // M of the lemma; 0 only if the entry is 0
+};
+
+inline Meeting meet(const Line& a, const Line& b) {
+  Meeting r{&a, &b, {}, {}};
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const double first = a.rounded[j] * b.rounded[k], second = a.rounded[k] * b.rounded[j];
+    r.lambda[i] = first - second;
+    r.magnitude[i] = std::abs(first) + std::abs(second);
+  }
+  return r;
+}
+
+// |value - exact value| <= error.
+struct Bounded {
+  double value, error;
+};
+
+// lambda . v, for exact values and for the entries of a line.
+inline Bounded dot(const Meeting& m, const Values& v) {
+  const double value = m.lambda[0] * v[0] + m.lambda[1] * v[1] + m.lambda[2] * v[2];
+  const double magnitude = m.magnitude[0] * std::abs(v[0]) + m.magnitude[1] * std::abs(v[1]) +
+                           m.magnitude[2] * std::abs(v[2]);
+  return {value, 10 * 0x1p-53 * magnitude};
+}
+
+using ExactLambda = std::array<Expansion<16>, 3>;
+
+inline Expansion<2> exact_entry(const Line& line, int i) {
+  return {line.rounded[i], line.error[i]};
+}
+
+inline ExactLambda exact_lambda(const Meeting& m) {
+  ExactLambda r;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    r[i] =
+        exact_entry(*m.a, j) * exact_entry(*m.b, k) - exact_entry(*m.a, k) * exact_entry(*m.b, j);
+  }
+  return r;
+}
+
+// Components of degree 3 are multiples of 2^-447 below 2^393: at most 840 / 52 + 2 remain.
+using ExactDot = Expansion<18>;
+
+inline ExactDot exact_dot(const ExactLambda& lambda, const Values& v) {
+  return compressed<18>(lambda[0] * v[0] + lambda[1] * v[1] + lambda[2] * v[2]);
+}
+
+// The side of the line that a meeting is on: the sign of lambda . line, -1, 0 or 1.
+template <class Count>
+int side(const Meeting& m, const Line& line, Count& count) {
+  const Bounded d = dot(m, line.rounded);
+  if (std::abs(d.value) > d.error || d.error == 0) {
+    count(Stage::sign_filtered);
+    return (d.value > 0) - (d.value < 0);
+  }
+  count(Stage::sign_exact);
+  const ExactLambda lambda = exact_lambda(m);
+  const auto exact = lambda[0] * exact_entry(line, 0) + lambda[1] * exact_entry(line, 1) +
+                     lambda[2] * exact_entry(line, 2);
+  return exact.sign();
+}
+
+// numerator / denominator rounded to the nearest float, ties to even. Pre-condition: denominator > 0.
+//
+// The largest component of each is within 2^-52 of it, relatively, so their rounded quotient is within
+// 2^-50 of the exact one, with room for the rounding of the two products. Between `low` and `high` lies
+// at most one midpoint of floats, since these are at least 2^-25 apart, relatively. Half a unit above
+// the largest float, where rounding goes over to infinity, is a midpoint as well, as if the next
+// float were 2^128.
+template <class Count>
+float round_quotient(const ExactDot& numerator, const ExactDot& denominator, Count& count) {
+  const int sign = numerator.sign();
+  const double q = std::abs(numerator.largest() / denominator.largest());
+  const float low = static_cast<float>(q * (1 - 0x1p-50));
+  const float high = static_cast<float>(q * (1 + 0x1p-50));
+  if (sign == 0 || low == high) {
+    count(Stage::quotient_exact);
+    return sign < 0 ? -low : low;
+  }
+  const double above = std::isinf(high) ? 0x1p128 : static_cast<double>(high);
+  const double midpoint = 0.5 * (low + above);
+  const ExactDot magnitude = sign < 0 ? -numerator : numerator;
+  const int compared = (magnitude - denominator * midpoint).sign();
+  count(compared == 0 ? Stage::quotient_tie : Stage::quotient_midpoint);
+  const bool low_is_odd = (std::bit_cast<std::uint32_t>(low) & 1) != 0;
+  const float r = compared > 0 || (compared == 0 && low_is_odd) ? high : low;
+  return sign < 0 ? -r : r;
+}
+
+// lambda . denominator for a quotient. Pre-condition: it is exactly positive.
+struct Divisor {
+  Values values;
+  Bounded dot;
+  double reciprocal;  // of dot.value, if that is certain to twenty bits, else NaN
+};
+
+inline Divisor divisor(const Meeting& m, const Values& denominator) {
+  const Bounded d = dot(m, denominator);
+  const bool is_certain = d.value > 0x1p20 * d.error;
+  return {denominator, d, is_certain ? 1 / d.value : std::numeric_limits<double>::quiet_NaN()};
+}
+
+// lambda . numerator / lambda . denominator, rounded. 0 is +0; what rounds to 0 from below is -0.
+//
+// With n, d and their bounds En, Ed the quotient is within (En + |n/d| Ed) / (d - Ed) of n/d; it is
+// Ed < 2^-20 d. 2^-51 |q| covers the roundings of the reciprocal, of q and of the interval's ends, and
+// 1 + 2^-18 the Ed in the divisor and the roundings of this bound.
+// Rounding is monotone: where both ends round to the same float, so does all between.
+template <class Count>
+float rounded_quotient(const Meeting& m, const Values& numerator, const Divisor& by, Count& count) {
+  const Bounded n = dot(m, numerator);
+  if (n.error == 0) {  // every product is 0
+    count(Stage::quotient_filtered);
+    return 0;
+  }
+  const double q = n.value * by.reciprocal;
+  const double error =
+      ((n.error + std::abs(q) * by.dot.error) * by.reciprocal + 0x1p-51 * std::abs(q)) *
+      (1 + 0x1p-18);
+  const float low = static_cast<float>(q - error), high = static_cast<float>(q + error);
+  if (!std::isnan(q) && std::bit_cast<std::uint32_t>(low) == std::bit_cast<std::uint32_t>(high)) {
+    count(Stage::quotient_filtered);
+    return low;
+  }
+  const ExactLambda lambda = exact_lambda(m);
+  return round_quotient(exact_dot(lambda, numerator), exact_dot(lambda, by.values), count);
+}
+
+// Whether a.numerator / a.denominator = b.numerator / b.denominator at two meetings, exactly.
+inline bool has_same_quotient(const Meeting& a, const Meeting& b, const Values& numerator,
+                              const Values& denominator) {
+  const ExactLambda at_a = exact_lambda(a), at_b = exact_lambda(b);
+  const auto difference = exact_dot(at_a, numerator) * exact_dot(at_b, denominator) -
+                          exact_dot(at_b, numerator) * exact_dot(at_a, denominator);
+  return difference.sign() == 0;
+}
+
+}  // namespace clipscope::barycentric

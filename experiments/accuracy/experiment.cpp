@@ -79,13 +79,9 @@ constexpr std::array kUsual = {std::pair{"view space", "view/sutherland_hodgman"
 // Largest errors of a clipper in float by scene; where no triangle had the right vertices there is none.
 std::map<std::string, double> largest_by_scene(const Table& table, const std::string& clipper) {
   std::map<std::string, double> largest;
-  const std::vector<Column>& columns = table.columns();
-  const auto at = std::ranges::find(columns, "max_px", &Column::key) - columns.begin();
-  for (std::size_t r = 0; r < table.rows().size(); ++r) {
-    const RowView row(table, r);
+  for (const RowView& row : rows_of(table)) {
     if (row.text("clipper") != clipper || row.text("scalar") != "float") continue;
-    const Cell& error = table.rows()[r][static_cast<std::size_t>(at)];
-    if (const auto* px = std::get_if<double>(&error)) largest[row.text("scene")] = *px;
+    if (const auto px = row.find_number("max_px")) largest[row.text("scene")] = *px;
   }
   return largest;
 }

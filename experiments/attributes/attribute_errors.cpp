@@ -224,16 +224,6 @@ AttributeTally attribute_errors(const AnyContestant& any,
   return tally;
 }
 
-std::string attribute_input(const AttributeTriangle& triangle) {
-  std::string text;
-  for (const auto& v : triangle) {
-    for (int c = 0; c < 3; ++c) text += fmt::format("{:a} ", v.position[c]);
-    for (int k = 0; k < K; ++k) text += fmt::format("{:a} ", v.attributes[k]);
-  }
-  text.pop_back();
-  return text;
-}
-
 std::string attribute_options() {
   const Frustum<float> f = attribute_frustum();
   return fmt::format("--space view --frustum {},{},{},{},{},{} --attributes {}", f.left, f.right,

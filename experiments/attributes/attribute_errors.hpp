@@ -56,8 +56,7 @@ AttributeTally attribute_errors(const AnyContestant& contestant,
                                 std::span<const AttributeTriangle> triangles,
                                 std::span<const Wanted> wanted);
 
-// What the triangle is, for `clipscope explain`: its numbers as hex floats; and the options.
-std::string attribute_input(const AttributeTriangle& triangle);
+// What `clipscope explain` must be told to read such a triangle.
 std::string attribute_options();
 
 }  // namespace clipscope::experiments

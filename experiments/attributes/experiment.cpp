@@ -9,6 +9,7 @@
 #include "experiments/experiment.hpp"
 #include "experiments/perspective/named_contestants.hpp"
 #include "experiments/report/progress.hpp"
+#include "experiments/report/replay_text.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -34,7 +35,7 @@ std::vector<Wanted> wanted_of(const std::vector<AttributeTriangle>& triangles, s
 
 WorstInput worst_input(const AnyContestant& contestant, const AttributeTriangle& triangle,
                        double error) {
-  const std::string input = attribute_input(triangle);
+  const std::string input = hex_line(triangle);
   return {std::string(clipper_name(contestant)),
           std::string(scalar_name(contestant)),
           "attribute",

@@ -143,7 +143,7 @@ StagedView<T>::StagedView(const View& view, std::vector<SceneTriangle> triangles
       frustum_truth_(Truth::of_frustum(frustum_cast<double>(view.frustum))),
       matrix_truth_(Truth::of_matrix(projection_)),
       source_(std::move(triangles)),
-      triangles_(triangles_cast<T>(source_)),
+      triangles_(simplices_cast<T>(source_)),
       truths_(triangles_.size()) {
   const Truth clip_truth = Truth::of_clip(projection_.volume);
   tbb::parallel_for(std::size_t{0}, truths_.size(), [&](std::size_t i) {
@@ -165,7 +165,7 @@ StagePolygon StagedView<T>::before_divide(std::string_view clipper, std::size_t 
   for_each_type(AllClippers{}, [&]<class C>() {
     if constexpr (stage_order(C::name, C::promise) == StageOrder::clip_space) {
       if (C::name != clipper) return;
-      r = traced_polygon<C, T>(traced_projection_, triangle_cast<Traced<T>>(source_[triangle]),
+      r = traced_polygon<C, T>(traced_projection_, simplex_cast<Traced<T>>(source_[triangle]),
                                answer);
     }
   });

@@ -8,12 +8,12 @@
 #include <concepts>
 #include <limits>
 
-#include "spaces/products.hpp"
+#include "experiments/measure/computes_as.hpp"
 
 namespace clipscope::experiments {
 
 template <std::floating_point T>
-class Traced {
+class Traced : public ComputesAs<Traced<T>, T> {
  public:
   constexpr Traced() = default;
   constexpr explicit Traced(double value) : Traced(of(static_cast<T>(value))) {}
@@ -23,47 +23,19 @@ class Traced {
   constexpr T numerator() const { return numerator_; }
   constexpr T denominator() const { return denominator_; }
 
-  friend constexpr Traced operator-(const Traced& a) { return of(-a.value_); }
-  friend constexpr Traced operator+(const Traced& a, const Traced& b) {
-    return of(a.value_ + b.value_);
-  }
-  friend constexpr Traced operator-(const Traced& a, const Traced& b) {
-    return of(a.value_ - b.value_);
-  }
-  friend constexpr Traced operator*(const Traced& a, const Traced& b) {
-    return of(a.value_ * b.value_);
-  }
-  friend constexpr Traced operator/(const Traced& a, const Traced& b) {
-    Traced r = of(a.value_ / b.value_);
-    r.numerator_ = a.value_;
-    r.denominator_ = b.value_;
-    return r;
-  }
-  constexpr Traced& operator+=(const Traced& b) { return *this = *this + b; }
-  constexpr Traced& operator-=(const Traced& b) { return *this = *this - b; }
-  constexpr Traced& operator*=(const Traced& b) { return *this = *this * b; }
-  constexpr Traced& operator/=(const Traced& b) { return *this = *this / b; }
-
-  friend constexpr bool operator==(const Traced& a, const Traced& b) {
-    return a.value_ == b.value_;
-  }
-  friend constexpr bool operator<(const Traced& a, const Traced& b) { return a.value_ < b.value_; }
-  friend constexpr bool operator<=(const Traced& a, const Traced& b) {
-    return a.value_ <= b.value_;
-  }
-
-  friend Traced sum_of_products(const Traced& a, const Traced& b, const Traced& c,
-                                const Traced& d) {
-    return of(clipscope::sum_of_products(a.value_, b.value_, c.value_, d.value_));
-  }
-
- private:
   static constexpr Traced of(T value) {
     Traced r;
     r.value_ = r.numerator_ = value;
     return r;
   }
+  static constexpr Traced quotient(const Traced& a, const Traced& b) {
+    Traced r = of(a.value_ / b.value_);
+    r.numerator_ = a.value_;
+    r.denominator_ = b.value_;
+    return r;
+  }
 
+ private:
   T value_{}, numerator_{}, denominator_ = T(1);
 };
 

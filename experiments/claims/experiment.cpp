@@ -72,27 +72,13 @@ Table rasterise_without_cutting(const ExperimentContext& context) {
   return table;
 }
 
-// What every experiment of this run has left.
-Results results_of(const ExperimentContext& context) {
-  Results results;
-  for (const char* name :
-       {"cost", "cost_operations", "frontier", "accuracy", "perspective_clip", "w_sign_epsilon",
-        "w_sign_prevented", "plane_order", "segments", "segments_operations",
-        "segments_intersection", "bounds", "guard_band_points", "guard_band_pictures", "depth",
-        "depth_monotone", "hard_cases", "pictures"}) {
-    if (const auto table = context.emitted(name)) results.add(*table);
-  }
-  return results;
-}
-
 }  // namespace
 
 void run_claims(const ExperimentContext& context) {
-  const Table counts = count_cases(context);
-  Results results = results_of(context);
-  results.add(counts);
-  const Table clipless = rasterise_without_cutting(context);
-  results.add(clipless);
+  context.emit(count_cases(context));
+  context.emit(rasterise_without_cutting(context));
+  // What every experiment of this run has left, those two tables included.
+  const Results results([&](const std::string& name) { return context.emitted(name); });
 
   Table table("claims", "Claims about clipping and the verdict of this run",
               {{"number", "no"},
@@ -109,8 +95,6 @@ void run_claims(const ExperimentContext& context) {
                    std::string(verdict_text(finding.verdict)), finding.because,
                    std::string(claim.experiment)});
   }
-  context.emit(counts);
-  context.emit(clipless);
   context.emit(table);
   context.finding(fmt::format(
       "Of {} claims {} are confirmed, {} true only under a condition, {} refuted, {} undecided for "

@@ -57,21 +57,14 @@ double operations(const Results& results, const std::string& mix, const std::str
 }
 
 // On which mixes something holds, and the times of the three spaces on all of them.
-Finding by_mix(const Results& results, std::string_view condition,
+Finding by_mix(const Results& results, const std::string& condition,
                const std::function<bool(const ThreeSpaces&)>& holds) {
-  std::vector<std::string> where, times;
-  const std::vector<ThreeSpaces> mixes = three_spaces(results);
-  for (const ThreeSpaces& mix : mixes) {
-    if (holds(mix)) where.push_back(mix.mix);
-    times.push_back(mix.text());
+  Cases cases;
+  for (const ThreeSpaces& mix : three_spaces(results)) {
+    cases.note(mix.mix, holds(mix), mix.text());
   }
-  const ClaimVerdict verdict = verdict_of(where.size(), mixes.size());
-  std::string because;
-  if (verdict == ClaimVerdict::conditional) {
-    because = fmt::format("The mix is {} ({}). ", fmt::join(where, ", "), condition);
-  }
-  because += fmt::format("View/clip/CVV take, in ns: {}.", fmt::join(times, "; "));
-  return {verdict, because};
+  return cases.finding("The mix is {} (" + condition + "). ",
+                       fmt::format("View/clip/CVV take, in ns: {}.", cases.figures("; ")));
 }
 
 std::string operations_text(const Results& results) {
@@ -86,6 +79,22 @@ std::string operations_text(const Results& results) {
 ClaimVerdict verdict_of(std::size_t holds, std::size_t of) {
   if (holds == 0) return ClaimVerdict::refuted;
   return holds == of ? ClaimVerdict::confirmed : ClaimVerdict::conditional;
+}
+
+void Cases::note(const std::string& name, bool holds, const std::string& figures) {
+  ++all_;
+  if (holds) holds_.push_back(name);
+  figures_.push_back(figures);
+}
+
+std::string Cases::figures(std::string_view separator) const {
+  return fmt::format("{}", fmt::join(figures_, separator));
+}
+
+Finding Cases::finding(std::string_view condition, const std::string& because) const {
+  const ClaimVerdict verdict = verdict_of(holds_.size(), all_);
+  if (verdict != ClaimVerdict::conditional) return {verdict, because};
+  return {verdict, fmt::format(fmt::runtime(condition), fmt::join(holds_, ", ")) + because};
 }
 
 Finding judge_view_needs_most(const Results& results) {
@@ -135,77 +144,57 @@ Finding judge_dropping_whole(const Results& results) {
 
 Finding judge_pipeline(const Results& results) {
   constexpr double kLittle = 1.10;  // of the time of the clipper that plans its planes
-  std::vector<std::string> where, ratios;
-  const std::vector<std::string> mixes = results.texts("cost", "mix");
-  for (const std::string& mix : mixes) {
+  Cases cases;
+  for (const std::string& mix : results.texts("cost", "mix")) {
     const double ratio =
         speed(results, mix, kClipSpace).median / speed(results, mix, "homogeneous/pipeline").median;
-    if (ratio <= kLittle) where.push_back(mix);
-    ratios.push_back(fmt::format("{} {:.2f}", mix, ratio));
+    cases.note(mix, ratio <= kLittle, fmt::format("{} {:.2f}", mix, ratio));
   }
-  std::string because = fmt::format(
-      "Against cutting by the crossed planes alone the pipeline takes, times: {} (little: at most "
-      "{:.2f}).",
-      fmt::join(ratios, ", "), kLittle);
-  const ClaimVerdict verdict = verdict_of(where.size(), mixes.size());
-  if (verdict == ClaimVerdict::conditional) {
-    because = fmt::format("The mix is {}. ", fmt::join(where, ", ")) + because;
-  }
-  return {verdict, because};
+  return cases.finding(
+      "The mix is {}. ",
+      fmt::format("Against cutting by the crossed planes alone the pipeline takes, times: {} "
+                  "(little: at most {:.2f}).",
+                  cases.figures(), kLittle));
 }
 
 Finding judge_divisions_spared(const Results& results) {
-  std::vector<std::string> where, texts;
-  const std::vector<std::string> mixes = results.texts("cost_operations", "mix");
-  for (const std::string& mix : mixes) {
+  Cases cases;
+  for (const std::string& mix : results.texts("cost_operations", "mix")) {
     const auto divisions = [&](const std::string& clipper) {
       return results.number("cost_operations", "divisions", {{"mix", mix}, {"clipper", clipper}});
     };
     const double before = divisions(kClipSpace), after = divisions("cvv/naive");
-    if (before < after) where.push_back(mix);
-    texts.push_back(fmt::format("{} {:.3g} to {:.3g}", mix, before, after));
+    cases.note(mix, before < after, fmt::format("{} {:.3g} to {:.3g}", mix, before, after));
   }
-  std::string because = fmt::format("Divisions per triangle, clip space to divide first: {}.",
-                                    fmt::join(texts, "; "));
-  const ClaimVerdict verdict = verdict_of(where.size(), mixes.size());
-  if (verdict == ClaimVerdict::conditional) {
-    because = fmt::format("Vertices are outside: mix {}. ", fmt::join(where, ", ")) + because;
-  }
-  return {verdict, because};
+  return cases.finding(
+      "Vertices are outside: mix {}. ",
+      fmt::format("Divisions per triangle, clip space to divide first: {}.", cases.figures("; ")));
 }
 
 Finding judge_clipless(const Results& results) {
   const std::string table = "claims_clipless";
   constexpr double kReported = 1.33;
-  std::vector<std::string> where, texts;
-  const std::vector<std::string> scenes = results.texts(table, "scene");
-  for (const std::string& scene : scenes) {
+  Cases cases;
+  for (const std::string& scene : results.texts(table, "scene")) {
     const double speedup = results.number(table, "speedup", {{"scene", scene}});
-    if (speedup >= kReported) where.push_back(scene);
-    texts.push_back(fmt::format("{} {:.2f}", scene, speedup));
+    cases.note(scene, speedup >= kReported, fmt::format("{} {:.2f}", scene, speedup));
   }
-  const ClaimVerdict verdict = verdict_of(where.size(), scenes.size());
-  std::string because =
-      fmt::format("Pictures without cutting, times faster: {}.", fmt::join(texts, ", "));
-  if (verdict == ClaimVerdict::conditional) {
-    because = fmt::format("The scene is {}. ", fmt::join(where, ", ")) + because;
-  }
-  return {verdict, because};
+  return cases.finding("The scene is {}. ",
+                       fmt::format("Pictures without cutting, times faster: {}.", cases.figures()));
 }
 
 Finding judge_filters(const Results& results) {
   constexpr double kTwice = 2.0;
-  std::vector<std::string> where, ratios;
-  const std::vector<std::string> mixes = results.texts("cost", "mix");
-  for (const std::string& mix : mixes) {
+  Cases cases;
+  for (const std::string& mix : results.texts("cost", "mix")) {
     const double ratio =
         speed(results, mix, kViewSpace).median / speed(results, mix, "view/exact_sign").median;
-    if (ratio <= kTwice) where.push_back(mix);
-    ratios.push_back(fmt::format("{} {:.2f}", mix, ratio));
+    cases.note(mix, ratio <= kTwice, fmt::format("{} {:.2f}", mix, ratio));
   }
-  return {verdict_of(where.size(), mixes.size()),
-          fmt::format("View-space clipping with exact signs takes, times the plain one: {}.",
-                      fmt::join(ratios, ", "))};
+  return cases.finding(
+      "The mix is {}. ",
+      fmt::format("View-space clipping with exact signs takes, times the plain one: {}.",
+                  cases.figures()));
 }
 
 Finding judge_bounds(const Results& results) {
@@ -236,44 +225,49 @@ Finding judge_bounds(const Results& results) {
   return {verdict, because};
 }
 
+namespace {
+
+// The cheapest contestant on a set that got every vertex and every coordinate right; infinite if there is
+// none.
+struct Cheapest {
+  double ns = HUGE_VAL;
+  std::string name;
+};
+
+Cheapest cheapest_rounded_right(const Results& results, const std::string& set) {
+  Cheapest cheapest;
+  for (const auto& row : results.rows(
+           "frontier",
+           {"clipper", "scalar", "ns_per_triangle", "correctly_rounded_percent", "wrong_percent"},
+           {{"set", set}})) {
+    const auto* ns = std::get_if<double>(&row[2]);
+    const auto* right = std::get_if<double>(&row[3]);
+    const auto* wrong = std::get_if<double>(&row[4]);
+    if (!ns || !right || !wrong || *right < 100 || *wrong > 0 || *ns >= cheapest.ns) continue;
+    cheapest = {*ns, format_cell(row[0]) + " in " + format_cell(row[1])};
+  }
+  return cheapest;
+}
+
+}  // namespace
+
 Finding judge_correct_rounding(const Results& results) {
-  // The cheapest contestant all of whose coordinates are correctly rounded, by set of triangles.
-  constexpr double kExpensive = 2.0;  // times the fastest float clipper in clip space
-  std::vector<std::string> texts;
-  std::vector<std::string> where;
-  const std::vector<std::string> sets = results.texts("frontier", "set");
-  for (const std::string& set : sets) {
+  constexpr double kExpensive = 2.0;  // times float clipping in clip space
+  Cases cases;
+  for (const std::string& set : results.texts("frontier", "set")) {
     const double plain =
         results.number("frontier", "ns_per_triangle",
                        {{"set", set}, {"clipper", kClipSpace}, {"scalar", "float"}});
-    double cheapest = HUGE_VAL;
-    std::string which = "none";
-    for (const auto& row : results.rows(
-             "frontier",
-             {"clipper", "scalar", "ns_per_triangle", "correctly_rounded_percent", "wrong_percent"},
-             {{"set", set}})) {
-      const auto* ns = std::get_if<double>(&row[2]);
-      const auto* right = std::get_if<double>(&row[3]);
-      const auto* wrong = std::get_if<double>(&row[4]);
-      if (!ns || !right || !wrong || *right < 100 || *wrong > 0 || *ns >= cheapest) continue;
-      cheapest = *ns;
-      which = format_cell(row[0]) + " in " + format_cell(row[1]);
-    }
-    if (cheapest > kExpensive * plain) where.push_back(set);
-    texts.push_back(std::isfinite(cheapest)
-                        ? fmt::format("{} {:.3g} times ({})", set, cheapest / plain, which)
-                        : set + " none");
+    const Cheapest c = cheapest_rounded_right(results, set);
+    cases.note(set, c.ns > kExpensive * plain,
+               std::isfinite(c.ns) ? fmt::format("{} {:.3g} times ({})", set, c.ns / plain, c.name)
+                                   : set + " none");
   }
-  std::string because = fmt::format(
-      "The cheapest that rounded every coordinate right costs, against float clipping in clip "
-      "space: "
-      "{}.",
-      fmt::join(texts, "; "));
-  const ClaimVerdict verdict = verdict_of(where.size(), sets.size());
-  if (verdict == ClaimVerdict::conditional) {
-    because = fmt::format("The set is {}. ", fmt::join(where, ", ")) + because;
-  }
-  return {verdict, because};
+  return cases.finding(
+      "The set is {}. ",
+      fmt::format("The cheapest that rounded every coordinate right costs, against "
+                  "float clipping in clip space: {}.",
+                  cases.figures("; ")));
 }
 
 }  // namespace clipscope::experiments

@@ -23,6 +23,22 @@ inline const std::string kCountsTable = "claims_counts";
 // Confirmed if it holds in all of them, refuted if in none, else true only when it holds.
 ClaimVerdict verdict_of(std::size_t holds, std::size_t of);
 
+// In which of several cases (mixes, scenes) a claim holds, and the figures of each.
+class Cases {
+ public:
+  void note(const std::string& name, bool holds, const std::string& figures);
+
+  // The figures, comma-separated or with another separator.
+  std::string figures(std::string_view separator = ", ") const;
+  // The verdict, with `because`; where it holds in some cases only, these are named in front of it, in
+  // place of the {} in `condition`: "The mix is {}. "
+  Finding finding(std::string_view condition, const std::string& because) const;
+
+ private:
+  std::size_t all_ = 0;
+  std::vector<std::string> holds_, figures_;
+};
+
 // Claims about time and operations.
 Finding judge_view_needs_most(const Results& results);     // 1
 Finding judge_clip_needs_least(const Results& results);    // 2

@@ -18,6 +18,7 @@
 #include "experiments/measure/bit_promise.hpp"
 #include "experiments/measure/promise.hpp"
 #include "experiments/report/progress.hpp"
+#include "experiments/report/replay_text.hpp"
 #include "experiments/report/table.hpp"
 
 namespace clipscope::experiments {
@@ -45,22 +46,6 @@ struct VerifyResult {
   std::optional<Offender> worst;
 };
 
-std::string hex_triangle(const SceneTriangle& triangle) {
-  std::string text;
-  for (const auto& v : triangle) {
-    for (int i = 0; i < 3; ++i) text += fmt::format("{:a} ", v.position[i]);
-    for (int k = 0; k < kSceneAttributes; ++k) text += fmt::format("{:a} ", v.attributes[k]);
-  }
-  text.pop_back();
-  return text;
-}
-
-std::string hex_frustum(const Frustum<float>& f) {
-  return fmt::format("--{} {:a},{:a},{:a},{:a},{:a},{}",
-                     f.kind == ProjectionKind::perspective ? "frustum" : "ortho", f.left, f.right,
-                     f.bottom, f.top, f.near, f.infinite_far ? "inf" : fmt::format("{:a}", f.far));
-}
-
 template <class T>
 std::string hex_polygon(std::span<const NdcVertex<T, kSceneAttributes>> polygon) {
   std::string text;
@@ -85,7 +70,7 @@ void verify_chunk(const Contestant<T>& contestant, const PromiseChecker& checker
   const std::vector<SceneTriangle> triangles =
       sampled_view_triangles(scene, view, sample, first, count);
   PolygonStream<T, kSceneAttributes> polygons;
-  contestant.view(projection_of<T>(view), triangles_cast<T>(triangles), polygons);
+  contestant.view(projection_of<T>(view), simplices_cast<T>(triangles), polygons);
   const Frustum<double> frustum = frustum_cast<double>(view.frustum);
   const ClipVolume volume{.depth = frustum.depth};
   std::vector<PromiseCheck> checks(count);
@@ -94,7 +79,7 @@ void verify_chunk(const Contestant<T>& contestant, const PromiseChecker& checker
         contestant.promise, reference::input_triangle(triangles[i]), polygons[i]);
     break_by_bits(checks[i],
                   broken_bits<T>(contestant, frustum, volume,
-                                 with_run_time_attributes(triangle_cast<T>(triangles[i]))));
+                                 with_run_time_attributes(simplex_cast<T>(triangles[i]))));
   });
   for (std::size_t i = 0; i < count; ++i) {
     const PromiseCheck& check = checks[i];
@@ -109,7 +94,7 @@ void verify_chunk(const Contestant<T>& contestant, const PromiseChecker& checker
                    scene.name,
                    view.label,
                    (first + i) * sample.stride,
-                   fmt::format("{}\n    {}", hex_frustum(view.frustum), hex_triangle(triangles[i])),
+                   fmt::format("{}\n    {}", frustum_options(view.frustum), hex_line(triangles[i])),
                    hex_polygon<T>(polygons[i])};
     }
   }
@@ -135,17 +120,9 @@ VerifyResult verify_scene(const AnyContestant& contestant, const Scene& scene, s
 }
 
 std::string hex_case(const HardCase& c) {
-  std::string text = c.space == Space::view ? hex_frustum(frustum_cast<float>(c.frustum)) + "\n   "
-                                            : "--space clip\n   ";
-  for (const reference::InputVertex& v : c.vertices) {
-    for (std::size_t i = 0; i < (c.space == Space::view ? 3 : 4); ++i) {
-      text += fmt::format(" {:a}", v.position[i]);
-    }
-    for (int k = 0; k < c.attribute_count; ++k) {
-      text += fmt::format(" {:a}", v.attributes[static_cast<std::size_t>(k)]);
-    }
-  }
-  return text;
+  const bool is_view = c.space == Space::view;
+  return (is_view ? frustum_options(frustum_cast<float>(c.frustum)) : "--space clip") + "\n    " +
+         hex_line(c.vertices, is_view ? 3 : 4, c.attribute_count);
 }
 
 std::string hex_answer(const CaseAnswer& answer) {

@@ -31,7 +31,7 @@ struct StagedInput {
   explicit StagedInput(std::span<const TimedBatch> batches) {
     for (const TimedBatch& batch : batches) {
       projections.push_back(projection_of<U>(batch.view));
-      triangles.push_back(triangles_cast<U>(batch.triangles));
+      triangles.push_back(simplices_cast<U>(batch.triangles));
     }
   }
 };

@@ -16,7 +16,7 @@
 #include <concepts>
 #include <limits>
 
-#include "spaces/products.hpp"
+#include "experiments/measure/computes_as.hpp"
 #include "spaces/projection.hpp"
 
 namespace clipscope::experiments {
@@ -24,52 +24,25 @@ namespace clipscope::experiments {
 enum class Skip { divide, transform_and_divide };
 
 template <std::floating_point T, Skip kSkip>
-class Staged {
+class Staged : public ComputesAs<Staged<T, kSkip>, T> {
  public:
   constexpr Staged() = default;
   constexpr explicit Staged(double value) : value_(static_cast<T>(value)) {}
 
   constexpr T value() const { return value_; }
 
-  friend constexpr Staged operator-(const Staged& a) { return of(-a.value_); }
-  friend constexpr Staged operator+(const Staged& a, const Staged& b) {
-    return of(a.value_ + b.value_);
-  }
-  friend constexpr Staged operator-(const Staged& a, const Staged& b) {
-    return of(a.value_ - b.value_);
-  }
-  friend constexpr Staged operator*(const Staged& a, const Staged& b) {
-    return of(a.value_ * b.value_);
-  }
-  friend constexpr Staged operator/(const Staged& a, const Staged& b) {
-    return of(a.value_ / b.value_);
-  }
-  constexpr Staged& operator+=(const Staged& b) { return *this = *this + b; }
-  constexpr Staged& operator-=(const Staged& b) { return *this = *this - b; }
-  constexpr Staged& operator*=(const Staged& b) { return *this = *this * b; }
-  constexpr Staged& operator/=(const Staged& b) { return *this = *this / b; }
-
-  friend constexpr bool operator==(const Staged& a, const Staged& b) {
-    return a.value_ == b.value_;
-  }
-  friend constexpr bool operator<(const Staged& a, const Staged& b) { return a.value_ < b.value_; }
-  friend constexpr bool operator<=(const Staged& a, const Staged& b) {
-    return a.value_ <= b.value_;
-  }
-
-  friend Staged sqrt(const Staged& a) { return of(std::sqrt(a.value_)); }
-  friend Staged sum_of_products(const Staged& a, const Staged& b, const Staged& c,
-                                const Staged& d) {
-    return of(clipscope::sum_of_products(a.value_, b.value_, c.value_, d.value_));
-  }
-
- private:
   static constexpr Staged of(T value) {
     Staged r;
     r.value_ = value;
     return r;
   }
+  static constexpr Staged quotient(const Staged& a, const Staged& b) {
+    return of(a.value_ / b.value_);
+  }
 
+  friend Staged sqrt(const Staged& a) { return of(std::sqrt(a.value_)); }
+
+ private:
   T value_;  // unspecified until it is set, as in T: polygons have room for many vertices
 };
 

@@ -43,16 +43,10 @@ using Conditions = std::vector<std::pair<std::string_view, std::string_view>>;
 // Of the first row that meets all conditions; nothing if there is none or its cell is empty.
 std::optional<double> find_number(const Table& table, const Conditions& conditions,
                                   std::string_view key) {
-  for (std::size_t r = 0; r < table.rows().size(); ++r) {
-    const RowView row(table, r);
+  for (const RowView& row : rows_of(table)) {
     const bool meets = std::all_of(conditions.begin(), conditions.end(),
                                    [&](const auto& c) { return row.text(c.first) == c.second; });
-    if (!meets) continue;
-    for (std::size_t c = 0; c < table.columns().size(); ++c) {
-      if (table.columns()[c].key != key) continue;
-      const double* value = std::get_if<double>(&table.rows()[r][c]);
-      return value ? std::optional(*value) : std::nullopt;
-    }
+    if (meets) return row.find_number(key);
   }
   return std::nullopt;
 }

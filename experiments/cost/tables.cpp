@@ -11,7 +11,7 @@ OperationCounts counted_operations(const Contestant<Counted>& contestant,
   PolygonStream<Counted, kSceneAttributes> out;
   OperationCounts sum;
   for (const TimedBatch& batch : batches) {
-    const auto input = triangles_cast<Counted>(batch.triangles);
+    const auto input = simplices_cast<Counted>(batch.triangles);
     const auto projection = projection_of<Counted>(batch.view);
     out.clear();
     operation_counts() = {};

@@ -7,37 +7,10 @@
 #include <cmath>
 
 #include "experiments/errors.hpp"
+#include "experiments/report/row_view.hpp"
 
 namespace clipscope::experiments {
 namespace {
-
-// Columns of the tables by number, where rows are read again.
-enum PrecisionColumn {
-  kConvention,
-  kFormat,
-  kTransform,
-  kRatio,
-  kNearM,
-  kMidM,
-  kFarM,
-  kCodes,
-  kDistinct,
-  kMisordered,
-  kTied
-};
-enum FormsColumn {
-  kForm,
-  kProperty,
-  kArithmetic,
-  kFormRatio,
-  kSamples,
-  kViolations,
-  kNdc,
-  kMetres
-};
-
-const std::string& text(const Cell& cell) { return std::get<std::string>(cell); }
-double number(const Cell& cell) { return std::get<double>(cell); }
 
 Cell metres(const std::optional<double>& value) {
   if (value) return *value;
@@ -52,13 +25,22 @@ std::string arithmetic_name(DepthArithmetic arithmetic) {
   return arithmetic == DepthArithmetic::in_float ? "float" : "double";
 }
 
+// Whether a row is that of a convention and a buffer, transform in float.
+bool is_of(const RowView& row, std::string_view convention, std::string_view format) {
+  return row.text("convention") == convention && row.text("buffer") == format &&
+         row.text("transform") == "float";
+}
+
+double lost_percent(const RowView& row) {
+  return row.number("misordered_percent") + row.number("tied_percent");
+}
+
 // The share of neighbours not told apart in the right order; nothing if there is no such row.
 std::optional<double> lost_order(const Table& precision, std::string_view convention,
                                  std::string_view format, double ratio) {
-  for (const auto& row : precision.rows()) {
-    if (text(row[kConvention]) == convention && text(row[kFormat]) == format &&
-        text(row[kTransform]) == "float" && number(row[kRatio]) == ratio) {
-      return number(row[kMisordered]) + number(row[kTied]);
+  for (const RowView& row : rows_of(precision)) {
+    if (is_of(row, convention, format) && row.number("far_near_ratio") == ratio) {
+      return lost_percent(row);
     }
   }
   return std::nullopt;
@@ -190,14 +172,14 @@ Plot depth_curve_plot(const Table& curve) {
             .x = {.label = "distance [m]", .logarithmic = true},
             .y = {.label = "smallest separation told apart [m]", .logarithmic = true},
             .series = {}};
-  for (const auto& row : curve.rows()) {
-    if (text(row[0]).ends_with("_infinite")) continue;
-    const std::string name = text(row[0]) + ", " + text(row[1]);
+  for (const RowView& row : rows_of(curve)) {
+    if (row.text("convention").ends_with("_infinite")) continue;
+    const std::string name = row.text("convention") + ", " + row.text("buffer");
     if (plot.series.empty() || plot.series.back().name != name) {
       plot.series.push_back({.name = name, .x = {}, .y = {}});
     }
-    plot.series.back().x.push_back(number(row[2]));
-    plot.series.back().y.push_back(number(row[3]));
+    plot.series.back().x.push_back(row.number("distance_m"));
+    plot.series.back().y.push_back(row.number("resolution_m"));
   }
   return plot;
 }
@@ -215,13 +197,10 @@ Plot depth_lost_order_plot(const Table& precision) {
     if (convention.infinite_far) continue;
     for (const std::string_view format : {"unorm24", "float32"}) {
       Series series{.name = fmt::format("{}, {}", convention.name, format), .x = {}, .y = {}};
-      for (const auto& row : precision.rows()) {
-        if (text(row[kConvention]) != convention.name || text(row[kFormat]) != format ||
-            text(row[kTransform]) != "float") {
-          continue;
-        }
-        series.x.push_back(number(row[kRatio]));
-        series.y.push_back(number(row[kMisordered]) + number(row[kTied]));
+      for (const RowView& row : rows_of(precision)) {
+        if (!is_of(row, convention.name, format)) continue;
+        series.x.push_back(row.number("far_near_ratio"));
+        series.y.push_back(lost_percent(row));
       }
       plot.series.push_back(std::move(series));
     }
@@ -245,12 +224,12 @@ std::string depth_finding(const Table& precision, const Table& forms) {
         format_number(*reversed), format_number(*standard), format_number(*gl),
         format_number(*fixed_standard), format_number(*fixed));
   }
-  for (const auto& row : forms.rows()) {
-    if (text(row[kForm]) != "quadratic" || text(row[kProperty]) != "lines stay straight") continue;
+  for (const RowView& row : rows_of(forms)) {
+    if (row.text("form") != "quadratic" || row.text("property") != "lines stay straight") continue;
     finding += fmt::format(
         "A depth linear in distance bends straight edges by up to {} of its range of 2 (far/near = "
         "{:g}); the hyperbolic one by exactly 0.",
-        format_number(number(row[kNdc])), number(row[kFormRatio]));
+        format_number(row.number("max_deviation_ndc")), row.number("far_near_ratio"));
     break;
   }
   return finding;

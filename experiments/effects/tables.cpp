@@ -5,22 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "experiments/report/row_view.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
 // A measured number of a row; NaN where it was not measured.
-double number(const Table& table, const std::vector<Cell>& row, std::string_view key) {
-  const auto& columns = table.columns();
-  const auto column =
-      std::find_if(columns.begin(), columns.end(), [key](const Column& c) { return c.key == key; });
-  const Cell& cell = row[static_cast<std::size_t>(column - columns.begin())];
-  if (const auto* count = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*count);
-  const auto* value = std::get_if<double>(&cell);
-  return value != nullptr ? *value : std::nan("");
+double number(const RowView& row, std::string_view key) {
+  return row.find_number(key).value_or(std::nan(""));
 }
-
-std::string scene_of(const std::vector<Cell>& row) { return std::get<std::string>(row.front()); }
 
 }  // namespace
 
@@ -105,29 +100,29 @@ Plot plot_of(const Table& times) {
             .series = {{.name = "full", .x = {}, .y = {}, .muted = true},
                        {.name = "planned", .x = {}, .y = {}},
                        {.name = "transform and divide", .x = {}, .y = {}}}};
-  for (const std::vector<Cell>& row : times.rows()) {
-    plot.categories.push_back(scene_of(row));
-    plot.series[0].y.push_back(number(times, row, "full_ns_per_triangle"));
-    plot.series[1].y.push_back(number(times, row, "planned_ns_per_triangle"));
-    plot.series[2].y.push_back(number(times, row, "bare_ns_per_triangle"));
+  for (const RowView& row : rows_of(times)) {
+    plot.categories.push_back(row.text("scene"));
+    plot.series[0].y.push_back(number(row, "full_ns_per_triangle"));
+    plot.series[1].y.push_back(number(row, "planned_ns_per_triangle"));
+    plot.series[2].y.push_back(number(row, "bare_ns_per_triangle"));
   }
   return plot;
 }
 
 std::string finding_of(const Table& times) {
   double changed = 0, polygons = 0, error = 0;
-  const std::vector<Cell>*best = nullptr, *worst = nullptr, *barest = nullptr;
-  const auto prefer = [&](const std::vector<Cell>*& chosen, const std::vector<Cell>& row,
-                          std::string_view key, double sign) {
-    const double value = sign * number(times, row, key);
-    if (!std::isnan(value) && (chosen == nullptr || value < sign * number(times, *chosen, key))) {
-      chosen = &row;
+  std::optional<RowView> best, worst, barest;
+  const auto prefer = [&](std::optional<RowView>& chosen, const RowView& row, std::string_view key,
+                          double sign) {
+    const double value = sign * number(row, key);
+    if (!std::isnan(value) && (!chosen || value < sign * number(*chosen, key))) {
+      chosen = row;
     }
   };
-  for (const std::vector<Cell>& row : times.rows()) {
-    changed += number(times, row, "changed_polygons");
-    polygons += number(times, row, "polygons");
-    error = std::max(error, number(times, row, "max_attribute_error"));
+  for (const RowView& row : rows_of(times)) {
+    changed += number(row, "changed_polygons");
+    polygons += number(row, "polygons");
+    error = std::max(error, number(row, "max_attribute_error"));
     prefer(best, row, "planned_to_full", 1);
     prefer(worst, row, "planned_to_full", -1);
     prefer(barest, row, "planned_to_bare", 1);
@@ -137,14 +132,14 @@ std::string finding_of(const Table& times) {
       "by "
       "{} at most",
       changed, polygons, format_number(error));
-  if (best == nullptr) return text + ".";
+  if (!best) return text + ".";
   return text + fmt::format(
                     "; it takes {:.2f} of the full pipeline's time on {} and {:.2f} on {}, and "
                     "{:.2f} times "
                     "that of transform and divide alone on {}.",
-                    number(times, *best, "planned_to_full"), scene_of(*best),
-                    number(times, *worst, "planned_to_full"), scene_of(*worst),
-                    number(times, *barest, "planned_to_bare"), scene_of(*barest));
+                    number(*best, "planned_to_full"), best->text("scene"),
+                    number(*worst, "planned_to_full"), worst->text("scene"),
+                    number(*barest, "planned_to_bare"), barest->text("scene"));
 }
 
 }  // namespace clipscope::experiments

@@ -9,39 +9,14 @@
 
 #include "experiments/measure/machine.hpp"
 #include "experiments/measure/outcome.hpp"
+#include "experiments/report/row_view.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
-// Columns of the tables by number, where rows are read again.
-enum WorkColumn {
-  kScene,
-  kMethod,
-  kBand,
-  kTriangles,
-  kReach,
-  kCut,
-  kVertices,
-  kVisited,
-  kArea,
-  kNs,
-  kNsLow,
-  kNsHigh,
-  kSpeedup,
-  kSpeedupLow,
-  kSpeedupHigh
-};
-enum PictureColumn { kPictureScene, kPictureMethod, kPictureBand, kSnapped, kHoles, kExtra };
-
+constexpr std::size_t kCutPercent = 5;  // its place among the cells of work_cells
 constexpr int kSubpixelBits = 8;
 constexpr double kShownBand = 16;  // the band that the finding speaks of
-
-const std::string& text(const Cell& cell) { return std::get<std::string>(cell); }
-double number(const Cell& cell) { return std::get<double>(cell); }
-bool holds(const Cell& cell, double value) {
-  const double* found = std::get_if<double>(&cell);
-  return found != nullptr && *found == value;
-}
 
 // An unlimited band is an empty cell.
 Cell band_cell(double band) {
@@ -76,29 +51,28 @@ std::vector<Cell> work_cells(const std::string& scene, const std::string& method
       quotient(tally.area_px2, full.area_px2)};
 }
 
-// One series per scene of the rows of the bands.
-std::vector<Series> series_by_scene(const Table& work, WorkColumn y) {
+// One series per scene of the rows of the bands, with its interval if there is one.
+std::vector<Series> series_by_scene(const Table& work, std::string_view key,
+                                    std::string_view low = "", std::string_view high = "") {
   std::vector<Series> series;
-  for (const auto& row : work.rows()) {
-    if (text(row[kMethod]) != "band" || !std::holds_alternative<double>(row[kBand]) ||
-        !std::holds_alternative<double>(row[y])) {
-      continue;
+  for (const RowView& row : rows_of(work)) {
+    const auto band = row.find_number("band"), y = row.find_number(key);
+    if (row.text("method") != "band" || !band || !y) continue;
+    const std::string& scene = row.text("scene");
+    if (series.empty() || series.back().name != scene) {
+      series.push_back({.name = scene, .x = {}, .y = {}});
     }
-    if (series.empty() || series.back().name != text(row[kScene])) {
-      series.push_back({.name = text(row[kScene]), .x = {}, .y = {}});
-    }
-    series.back().x.push_back(number(row[kBand]));
-    series.back().y.push_back(number(row[y]));
-    if (y == kSpeedup) {
-      series.back().low.push_back(number(row[kSpeedupLow]));
-      series.back().high.push_back(number(row[kSpeedupHigh]));
-    }
+    series.back().x.push_back(*band);
+    series.back().y.push_back(*y);
+    if (low.empty()) continue;
+    series.back().low.push_back(row.number(low));
+    series.back().high.push_back(row.number(high));
   }
   return series;
 }
 
-std::int64_t wrong_pixels(const std::vector<Cell>& row) {
-  return std::get<std::int64_t>(row[kHoles]) + std::get<std::int64_t>(row[kExtra]);
+std::int64_t wrong_pixels(const RowView& row) {
+  return row.count("holes_px") + row.count("extra_px");
 }
 
 }  // namespace
@@ -143,7 +117,7 @@ void add_band_work_row(Table& table, CellRecord& record, const std::string& scen
 void add_band_scissored_row(Table& table, CellRecord& record, const std::string& scene,
                             const BandTally& full, const BandTime& time) {
   std::vector<Cell> cells = work_cells(scene, "scissored", kShownBand, full, full);
-  cells[kCut] = Cell();
+  cells[kCutPercent] = Cell();
   finish_row(table, record, std::move(cells), time, scene + " scissored");
 }
 
@@ -231,7 +205,7 @@ Plot band_cut_plot(const Table& work) {
               "at a side.",
           .x = {.label = "half width of the band [half screens]", .logarithmic = true},
           .y = {.label = "cut at a side [%]", .from = 0.0},
-          .series = series_by_scene(work, kCut)};
+          .series = series_by_scene(work, "cut_percent")};
 }
 
 Plot band_time_plot(const Table& work) {
@@ -242,26 +216,24 @@ Plot band_time_plot(const Table& work) {
               "in the same round; above 1 the band is faster.",
           .x = {.label = "half width of the band [half screens]", .logarithmic = true},
           .y = {.label = "times as fast as full clipping"},
-          .series = series_by_scene(work, kSpeedup)};
+          .series = series_by_scene(work, "speedup_to_full", "speedup_low", "speedup_high")};
 }
 
 std::string guard_band_finding(const Table& work, const Table& pictures) {
   std::vector<std::string> scenes;
-  for (const auto& row : work.rows()) {
-    if (text(row[kMethod]) != "band" || !holds(row[kBand], kShownBand) ||
-        !std::holds_alternative<double>(row[kSpeedup])) {
-      continue;
-    }
+  for (const RowView& row : rows_of(work)) {
+    const auto speedup = row.find_number("speedup_to_full");
+    if (row.text("method") != "band" || row.find_number("band") != kShownBand || !speedup) continue;
     scenes.push_back(
         fmt::format("{}: {} % still cut, {} times as fast, {} times the pixels visited",
-                    text(row[kScene]), format_number(number(row[kCut])),
-                    format_number(number(row[kSpeedup])), format_number(number(row[kVisited]))));
+                    row.text("scene"), format_number(row.number("cut_percent")),
+                    format_number(*speedup), format_number(row.number("visited_ratio"))));
   }
   std::int64_t full = 0, band = 0;
-  for (const auto& row : pictures.rows()) {
-    if (text(row[kSnapped]) != "float") continue;
-    if (text(row[kPictureMethod]) == "full") full += wrong_pixels(row);
-    if (text(row[kPictureMethod]) == "band" && holds(row[kPictureBand], kShownBand)) {
+  for (const RowView& row : rows_of(pictures)) {
+    if (row.text("vertices") != "float") continue;
+    if (row.text("method") == "full") full += wrong_pixels(row);
+    if (row.text("method") == "band" && row.find_number("band") == kShownBand) {
       band += wrong_pixels(row);
     }
   }

@@ -32,7 +32,7 @@ reference::Truth truth_of(const View& view, reference::TruthKind kind) {
 
 template <class T>
 void judge_chunk(const Contestant<T>& contestant, const Chunk& chunk, AccuracyTally& tally) {
-  const auto triangles = triangles_cast<T>(chunk.triangles);
+  const auto triangles = simplices_cast<T>(chunk.triangles);
   PolygonStream<T, kSceneAttributes> polygons;
   contestant.view(projection_of<T>(chunk.view), triangles, polygons);
 

@@ -108,7 +108,7 @@ void add(const Judgement& judgement, std::size_t batch, std::size_t triangle,
 template <class T>
 std::vector<Judgement> judge_batch(const Contestant<T>& contestant, const TimedBatch& batch,
                                    std::span<const RoundedTruth> truths) {
-  const auto triangles = triangles_cast<T>(batch.triangles);
+  const auto triangles = simplices_cast<T>(batch.triangles);
   PolygonStream<T, kSceneAttributes> polygons;
   contestant.view(projection_of<T>(batch.view), triangles, polygons);
   std::vector<Judgement> judgements(triangles.size());

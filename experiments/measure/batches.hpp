@@ -43,15 +43,16 @@ inline std::vector<SceneTriangle> sampled_view_triangles(const Scene& scene, con
   return triangles;
 }
 
-template <class T, Space S, int K>
-Triangle<S, T, K> triangle_cast(const Triangle<S, float, K>& triangle) {
-  Triangle<S, T, K> result;
-  for (std::size_t i = 0; i < 3; ++i) {
+// The same bits in another scalar: a point, a segment or a triangle.
+template <class T, Space S, int K, std::size_t N>
+Simplex<S, T, K, N> simplex_cast(const Simplex<S, float, K, N>& simplex) {
+  Simplex<S, T, K, N> result;
+  for (std::size_t i = 0; i < N; ++i) {
     for (int c = 0; c < Vertex<S, T, K>::kDimension; ++c) {
-      result[i].position[c] = scalar_from<T>(triangle[i].position[c]);
+      result[i].position[c] = scalar_from<T>(simplex[i].position[c]);
     }
     for (int k = 0; k < K; ++k) {
-      result[i].attributes[k] = scalar_from<T>(triangle[i].attributes[k]);
+      result[i].attributes[k] = scalar_from<T>(simplex[i].attributes[k]);
     }
   }
   return result;
@@ -69,14 +70,12 @@ Triangle<S, T, kRunTime> with_run_time_attributes(const Triangle<S, T, K>& trian
   return result;
 }
 
-// Triangles: a vector or a span of triangles in float.
-template <class T, class Triangles>
-auto triangles_cast(const Triangles& triangles) {
-  std::vector<decltype(triangle_cast<T>(*triangles.begin()))> result;
-  result.reserve(triangles.size());
-  for (const auto& triangle : triangles) {
-    result.push_back(triangle_cast<T>(triangle));
-  }
+// Simplices: a vector or a span of them in float.
+template <class T, class Simplices>
+auto simplices_cast(const Simplices& simplices) {
+  std::vector<decltype(simplex_cast<T>(*simplices.begin()))> result;
+  result.reserve(simplices.size());
+  for (const auto& simplex : simplices) result.push_back(simplex_cast<T>(simplex));
   return result;
 }
 

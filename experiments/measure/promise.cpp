@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 #include "experiments/measure/distance.hpp"
+#include "experiments/measure/distance_number.hpp"
 #include "experiments/scenes/scene.hpp"
 
 namespace clipscope::experiments {
@@ -42,24 +42,6 @@ namespace {
 using reference::ExactPolygon;
 using reference::ExactVertex;
 using reference::InputTriangle;
-
-// Distances are computed in double-double where that is much finer than T; what is found to be broken
-// then is computed again in exact rationals, which have the last word.
-template <class T>
-using DistanceNumber =
-    std::conditional_t<(ScalarTraits<T>::precision > 0 && ScalarTraits<T>::precision <= 53),
-                       dd_real, Exact>;
-
-template <class N>
-N number(const Exact& x) {
-  if constexpr (std::same_as<N, Exact>) {
-    return x;
-  } else {
-    const double high = CGAL::to_double(x);
-    const Exact rest = x - Exact(high);
-    return dd_real(high) + dd_real(CGAL::to_double(rest));
-  }
-}
 
 // Signed distances of a lifted point to the planes of the volume; the smallest. Clip distances count
 // as far as the point has attributes.
@@ -94,13 +76,13 @@ struct Case {
 template <class N, class T, int K>
 Lifted<N> lift(const NdcVertex<T, K>& v, const Case<N>& c) {
   Lifted<N> p;
-  const N w = N(1) / number<N>(to_exact(v.position[3]));
+  const N w = N(1) / distance_number<N>(to_exact(v.position[3]));
   for (int i = 0; i < 3; ++i) {
-    p.push_back(N(number<N>(to_exact(v.position[i])) * w));
+    p.push_back(N(distance_number<N>(to_exact(v.position[i])) * w));
   }
   p.push_back(w);
   for (int k = 0; k < c.attribute_count; ++k) {
-    p.push_back(number<N>(Exact(to_exact(v.attributes[k]) * c.attribute_scale)));
+    p.push_back(distance_number<N>(Exact(to_exact(v.attributes[k]) * c.attribute_scale)));
   }
   return p;
 }
@@ -111,12 +93,12 @@ Lifted<N> lift_exact(const ExactVertex& v, const Exact& attribute_scale, int att
   const Exact inv_w = reference::to_rational(v.inv_w);
   const Exact w = Exact(1) / inv_w;
   for (const reference::Fraction* x : {&v.x, &v.y, &v.z}) {
-    p.push_back(number<N>(Exact(reference::to_rational(*x) * w)));
+    p.push_back(distance_number<N>(Exact(reference::to_rational(*x) * w)));
   }
-  p.push_back(number<N>(w));
+  p.push_back(distance_number<N>(w));
   for (int k = 0; k < attribute_count; ++k) {
     const Exact a = reference::to_rational(v.attributes[static_cast<std::size_t>(k)]);
-    p.push_back(number<N>(Exact(a * attribute_scale)));
+    p.push_back(distance_number<N>(Exact(a * attribute_scale)));
   }
   return p;
 }
@@ -328,10 +310,10 @@ Case<N> make_case(const Promise& promise, const InputTriangle& triangle,
   c.attribute_scale = attribute > 0 ? Exact(Exact(s.magnitude) / Exact(attribute)) : Exact(0);
   for (std::size_t i = 0; i < 3; ++i) {
     Lifted<N>& p = c.input.emplace_back();
-    for (const Exact& x : s.corners.exact[i]) p.push_back(number<N>(x));
+    for (const Exact& x : s.corners.exact[i]) p.push_back(distance_number<N>(x));
     for (int k = 0; k < c.attribute_count; ++k) {
       const Exact a(triangle.vertices[i].attributes[static_cast<std::size_t>(k)]);
-      p.push_back(number<N>(Exact(a * c.attribute_scale)));
+      p.push_back(distance_number<N>(Exact(a * c.attribute_scale)));
     }
   }
   return c;
@@ -434,6 +416,7 @@ PromiseCheck PromiseChecker::check(const Promise& promise, const InputTriangle& 
     return {PromiseVerdict::broken, std::numeric_limits<double>::infinity(),
             "a coordinate of the result is not finite, or 1/w is 0"};
   }
+  // What is found to be broken is computed again in exact rationals, which have the last word.
   const auto check = check_distances<DistanceNumber<T>>(promise, triangle, s, polygon);
   if (check.verdict == PromiseVerdict::kept) return check;
   return check_distances<Exact>(promise, triangle, s, polygon);

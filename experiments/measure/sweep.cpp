@@ -8,6 +8,7 @@
 
 #include "experiments/errors.hpp"
 #include "experiments/measure/batches.hpp"
+#include "experiments/report/replay_text.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -78,9 +79,9 @@ void sweep_chunk(const SweepChunk& chunk, const std::vector<TruthPolygon>& truth
     if (chunk.frustum) {
       Projection<T> projection(frustum_cast<T>(*chunk.frustum));
       projection.volume = chunk.volume;
-      contestant->view(projection, triangles_cast<T>(chunk.view), stream);
+      contestant->view(projection, simplices_cast<T>(chunk.view), stream);
     } else if (contestant->clip != nullptr) {
-      contestant->clip(chunk.volume, triangles_cast<T>(chunk.clip), stream);
+      contestant->clip(chunk.volume, simplices_cast<T>(chunk.clip), stream);
     } else {
       continue;
     }
@@ -144,29 +145,12 @@ void check_scalars(const std::vector<AnyContestant>& contestants) {
 }  // namespace
 
 std::string replay_text(const SweepChunk& chunk, std::size_t triangle) {
-  static constexpr std::array<const char*, 3> kDepthNames = {"gl", "zero_to_one", "reversed"};
   const reference::InputTriangle input = input_of(chunk, triangle);
-  std::string text = chunk.frustum ? "--space view" : "--space clip";
-  if (chunk.frustum) {
-    const Frustum<float>& f = *chunk.frustum;
-    text +=
-        fmt::format(" --{} {:a},{:a},{:a},{:a},{:a},{}",
-                    f.kind == ProjectionKind::perspective ? "frustum" : "ortho", f.left, f.right,
-                    f.bottom, f.top, f.near, f.infinite_far ? "inf" : fmt::format("{:a}", f.far));
-  }
-  text += fmt::format(
-      " --depth {} --attributes {} :", kDepthNames[static_cast<std::size_t>(chunk.volume.depth)],
-      input.attribute_count);
-  const int dimension = chunk.frustum ? 3 : 4;
-  for (const reference::InputVertex& v : input.vertices) {
-    for (int i = 0; i < dimension; ++i) {
-      text += fmt::format(" {:a}", static_cast<float>(v.position[static_cast<std::size_t>(i)]));
-    }
-    for (int k = 0; k < input.attribute_count; ++k) {
-      text += fmt::format(" {:a}", static_cast<float>(v.attributes[static_cast<std::size_t>(k)]));
-    }
-  }
-  return text;
+  const std::string space =
+      chunk.frustum ? "--space view " + frustum_options(*chunk.frustum) : "--space clip";
+  return fmt::format("{} --depth {} --attributes {} : {}", space, depth_option(chunk.volume.depth),
+                     input.attribute_count,
+                     hex_line(input.vertices, chunk.frustum ? 3 : 4, input.attribute_count));
 }
 
 std::vector<SweepTally> sweep(std::size_t chunks,

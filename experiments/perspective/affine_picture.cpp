@@ -107,7 +107,7 @@ AffinePicture draw_affine(const Scene& scene, const View& view, Pieces pieces,
   const auto projection = projection_of<double>(view);
   const Sample all = sample_of(scene, 0);
   for (std::size_t first = 0; first < all.count; first += kChunk) {
-    const auto triangles = triangles_cast<double>(
+    const auto triangles = simplices_cast<double>(
         sampled_view_triangles(scene, view, all, first, std::min(kChunk, all.count - first)));
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       draw_triangle(projection, triangles[i], pieces, static_cast<std::uint32_t>(first + i),

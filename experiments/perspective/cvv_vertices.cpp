@@ -64,7 +64,7 @@ CutError attribute_error_of_cut(const AnyContestant& any,
       [&]<class T>(const Contestant<T>* contestant) {
         PolygonStream<T, kSceneAttributes> polygons;
         contestant->view(projection_from<T>(frustum_cast<double>(cut_frustum())),
-                         triangles_cast<T>(triangles), polygons);
+                         simplices_cast<T>(triangles), polygons);
         tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {
           comparisons[i] = compare<T, kSceneAttributes>(
               polygons[i], truth_polygon(truth, reference::input_triangle(triangles[i])));

@@ -57,7 +57,7 @@ std::vector<ScreenPolygon> clipped_by(const Contestant<T>& contestant,
                                       const Projection<T>& projection,
                                       std::span<const SceneTriangle> triangles) {
   PolygonStream<T, kSceneAttributes> stream;
-  contestant.view(projection, triangles_cast<T>(triangles), stream);
+  contestant.view(projection, simplices_cast<T>(triangles), stream);
   std::vector<ScreenPolygon> polygons(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (const auto& v : stream[i]) polygons[i].push_back(screen_vertex(v));

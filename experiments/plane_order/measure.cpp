@@ -114,7 +114,7 @@ void add_triangle(const TriangleSet& set, std::size_t index, const reference::Tr
   const CutTriangle& input = set.triangles[index];
   const auto truth = truth_polygon(truth_of_clip, reference::input_triangle(input.triangle));
   const auto results =
-      OrderTree<T, K>::cut_all(set.depth, input.planes, triangle_cast<T>(input.triangle));
+      OrderTree<T, K>::cut_all(set.depth, input.planes, simplex_cast<T>(input.triangle));
   const auto first = first_like(results);
   const auto& near_first = results[near_first_of(input.planes)];
   std::vector<OrderTally> tallies(results.size());

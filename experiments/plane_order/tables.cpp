@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "experiments/report/replay_text.hpp"
 #include "experiments/report/row_view.hpp"
 
 namespace clipscope::experiments {
@@ -70,25 +71,12 @@ std::string near_at(std::size_t position) {
   return fmt::format("near {} of {}", position, kPlanes);
 }
 
-// The triangle as a line that `clipscope clip` reads.
-std::string input_text(const CutTriangle& triangle) {
-  std::string text;
-  for (const auto& v : triangle.triangle) {
-    for (int i = 0; i < 4; ++i) {
-      text += fmt::format("{}{:a}", text.empty() ? "" : " ", v.position[i]);
-    }
-  }
-  return text;
-}
-
 void add_worst_in(const SetResult& result, std::string_view scalar, const RoundedOrders& rounded,
                   CellRecord& record) {
   if (rounded.near_last_px == 0) return;
-  static constexpr std::array<std::string_view, 3> kDepthNames = {"gl", "zero_to_one", "reversed"};
-  const std::string input = input_text(result.set.triangles[rounded.farthest]);
-  const std::string options =
-      fmt::format("--space clip --depth {} --scalar {} --hex",
-                  kDepthNames[static_cast<std::size_t>(result.set.depth)], scalar);
+  const std::string input = hex_line(result.set.triangles[rounded.farthest].triangle, 0);
+  const std::string options = fmt::format("--space clip --depth {} --scalar {} --hex",
+                                          depth_option(result.set.depth), scalar);
   record.worst_inputs.push_back(
       {std::string(kNearLast), std::string(scalar), "moved_px", rounded.near_last_px, input,
        fmt::format("for c in {} {}; do echo '{}' | clipscope clip --clipper $c {}; done",

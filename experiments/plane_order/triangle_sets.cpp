@@ -23,7 +23,7 @@ void add_if_cut(const Triangle4& triangle, TriangleSet& set) {
 
 // Computed in double, each coordinate rounded to float once.
 Triangle4 clip_triangle(const Projection<double>& projection, const SceneTriangle& triangle) {
-  const auto clip = to_clip(projection, triangle_cast<double>(triangle));
+  const auto clip = to_clip(projection, simplex_cast<double>(triangle));
   Triangle4 result;
   for (std::size_t i = 0; i < 3; ++i) {
     for (int c = 0; c < 4; ++c) {

@@ -30,9 +30,10 @@ Json read_contents(const std::filesystem::path& path) {
 }
 
 Results results_of(const ResultsStore& store) {
-  Results results;
-  for (const StoredTable& table : store.tables()) results.add(store.table(table.name));
-  return results;
+  return Results([&store](const std::string& name) -> std::optional<Table> {
+    if (!store.has_table(name)) return std::nullopt;
+    return store.table(name);
+  });
 }
 
 RowKey row_key(const Json& entry) {

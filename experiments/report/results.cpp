@@ -53,14 +53,13 @@ void for_each_row(const Table& table, const RowKey& key, F&& f) {
 
 }  // namespace
 
-void Results::add(const Table& table) { tables_.insert_or_assign(table.name(), table); }
-
 const Table& Results::table(const std::string& name) const {
-  const auto found = tables_.find(name);
-  if (found == tables_.end()) {
+  auto found = tables_.find(name);
+  if (found == tables_.end()) found = tables_.emplace(name, source_(name)).first;
+  if (!found->second) {
     throw MissingFigure(fmt::format("table {} is not among the results", name));
   }
-  return found->second;
+  return *found->second;
 }
 
 std::vector<double> Results::numbers(const std::string& table_name, const std::string& column,

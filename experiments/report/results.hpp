@@ -3,7 +3,9 @@
 // Figures looked up in the tables of a run, by what their row says.
 #pragma once
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -23,7 +25,10 @@ using RowKey = std::vector<std::pair<std::string, std::string>>;
 
 class Results {
  public:
-  void add(const Table& table);
+  // Where a table comes from, by its name; nothing if there is none. Asked once per name.
+  using Source = std::function<std::optional<Table>(const std::string&)>;
+
+  explicit Results(Source source) : source_(std::move(source)) {}
 
   // The number in a column of the first row that matches the key. Throws MissingFigure if there is no
   // such table, column or row, or the cell is empty.
@@ -43,7 +48,8 @@ class Results {
  private:
   const Table& table(const std::string& name) const;
 
-  std::map<std::string, Table> tables_;
+  Source source_;
+  mutable std::map<std::string, std::optional<Table>> tables_;  // that were asked for
 };
 
 }  // namespace clipscope::experiments

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -23,14 +24,28 @@ class RowView {
   const std::string& text(std::string_view key) const { return value<std::string>(key); }
   std::int64_t count(std::string_view key) const { return value<std::int64_t>(key); }
   double number(std::string_view key) const { return value<double>(key); }
+  // A number or a count; nothing where the cell is empty or holds a text.
+  std::optional<double> find_number(std::string_view key) const {
+    const Cell& found = cell(key);
+    if (const auto* number = std::get_if<double>(&found)) return *number;
+    if (const auto* count = std::get_if<std::int64_t>(&found)) return static_cast<double>(*count);
+    return std::nullopt;
+  }
 
  private:
+  const Cell& cell(std::string_view key) const {
+    for (std::size_t c = 0; c < row_->size(); ++c) {
+      if (table_->columns()[c].key == key) return (*row_)[c];
+    }
+    fail(key);
+  }
   template <class T>
   const T& value(std::string_view key) const {
-    for (std::size_t c = 0; c < row_->size(); ++c) {
-      if (table_->columns()[c].key != key) continue;
-      if (const T* v = std::get_if<T>(&(*row_)[c])) return *v;
-    }
+    const T* found = std::get_if<T>(&cell(key));
+    if (found == nullptr) fail(key);
+    return *found;
+  }
+  [[noreturn]] void fail(std::string_view key) const {
     throw std::logic_error("table " + table_->name() + ": no such value in column " +
                            std::string(key));
   }

@@ -40,6 +40,7 @@ class Table {
   const std::string& title() const { return title_; }
   const std::vector<Column>& columns() const { return columns_; }
   const std::vector<std::vector<Cell>>& rows() const { return rows_; }
+  const std::vector<std::string>& notes() const { return notes_; }
 
   // At most 100 columns wide: what does not fit goes into a further block beneath, which repeats the
   // leading text columns.

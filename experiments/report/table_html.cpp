@@ -107,9 +107,8 @@ std::string table_html(const Table& table, const std::set<std::string>& parts) {
     html += "</tr>\n";
   }
   html += "</tbody></table></div>\n<button type=\"button\" class=\"more\" hidden></button>\n";
-  const nlohmann::json notes = table.to_json()["notes"];  // the loop would not keep it alive
-  for (const auto& note : notes) {
-    html += fmt::format("<p class=\"note\">{}</p>\n", html_escape(note.get<std::string>()));
+  for (const std::string& note : table.notes()) {
+    html += fmt::format("<p class=\"note\">{}</p>\n", html_escape(note));
   }
   return html + "</div>\n";
 }

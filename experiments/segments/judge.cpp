@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "experiments/measure/batches.hpp"
+#include "experiments/report/replay_text.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -52,7 +53,7 @@ void count(const Comparison& c, const JudgedBatch& batch, std::size_t i, Segment
 template <class T>
 void judge(const Contestant<T, 2>& contestant, const JudgedBatch& batch, SegmentTally& tally) {
   PolygonStream<T, K> answers;
-  contestant.view(projection_of<T>(batch.view), segments_cast<T>(batch.segments), answers);
+  contestant.view(projection_of<T>(batch.view), simplices_cast<T>(batch.segments), answers);
   std::vector<Comparison> comparisons(batch.segments.size());
   tbb::parallel_for(std::size_t{0}, comparisons.size(), [&](std::size_t i) {
     comparisons[i] = compare<T, K>(answers[i], batch.truths[i]);
@@ -97,18 +98,9 @@ std::vector<SegmentTally> judge_segments(const SegmentMix& mix,
 }
 
 std::string replay_text(const View& view, const SceneSegment& segment) {
-  static constexpr std::array<const char*, 3> kDepthNames = {"gl", "zero_to_one", "reversed"};
-  const Frustum<float>& f = view.frustum;
-  std::string text = fmt::format(
-      "--space view --primitive segment --frustum {:a},{:a},{:a},{:a},{:a},{:a} --depth {} "
-      "--attributes {} :",
-      f.left, f.right, f.bottom, f.top, f.near, f.far,
-      kDepthNames[static_cast<std::size_t>(f.depth)], K);
-  for (const auto& end : segment) {
-    for (int c = 0; c < 3; ++c) text += fmt::format(" {:a}", end.position[c]);
-    for (int k = 0; k < K; ++k) text += fmt::format(" {:a}", end.attributes[k]);
-  }
-  return text;
+  return fmt::format("--space view --primitive segment {} --depth {} --attributes {} : {}",
+                     frustum_options(view.frustum), depth_option(view.frustum.depth), K,
+                     hex_line(segment));
 }
 
 }  // namespace clipscope::experiments

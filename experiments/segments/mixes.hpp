@@ -66,21 +66,4 @@ SegmentFacts facts_of(const reference::Truth& truth, const SceneSegment& segment
 
 std::vector<reference::InputVertex> input_segment(const SceneSegment& segment);
 
-template <class T>
-std::vector<ViewSegment<T, kSceneAttributes>> segments_cast(
-    const std::vector<SceneSegment>& segments) {
-  std::vector<ViewSegment<T, kSceneAttributes>> result(segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    for (std::size_t end = 0; end < 2; ++end) {
-      const auto& from = segments[i][end];
-      auto& to = result[i][end];
-      for (int c = 0; c < 3; ++c) to.position[c] = scalar_from<T>(from.position[c]);
-      for (int k = 0; k < kSceneAttributes; ++k) {
-        to.attributes[k] = scalar_from<T>(from.attributes[k]);
-      }
-    }
-  }
-  return result;
-}
-
 }  // namespace clipscope::experiments

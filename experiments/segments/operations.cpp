@@ -133,7 +133,7 @@ std::vector<SegmentOperations> count_operations(
   for (const SegmentBatch& batch : mix.batches) {
     const auto truth = reference::Truth::of_frustum(frustum_cast<double>(batch.view.frustum));
     const auto projection = projection_of<Counted>(batch.view);
-    const std::vector<Segment> segments = segments_cast<Counted>(batch.segments);
+    const std::vector<Segment> segments = simplices_cast<Counted>(batch.segments);
     for (const std::size_t i : evenly_spaced(segments.size(), sample)) {
       const SegmentFacts facts = facts_of(truth, batch.segments[i]);
       for (std::size_t c = 0; c < contestants.size(); ++c) {

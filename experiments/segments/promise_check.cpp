@@ -8,31 +8,15 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 #include "experiments/measure/distance.hpp"
+#include "experiments/measure/distance_number.hpp"
 #include "experiments/scenes/scene.hpp"
 #include "spaces/planes.hpp"
 
 namespace clipscope::experiments {
 namespace {
-
-template <class T>
-using DistanceNumber =
-    std::conditional_t<(ScalarTraits<T>::precision > 0 && ScalarTraits<T>::precision <= 53),
-                       dd_real, Exact>;
-
-template <class N>
-N number(const Exact& x) {
-  if constexpr (std::same_as<N, Exact>) {
-    return x;
-  } else {
-    const double high = CGAL::to_double(x);
-    const Exact rest = x - Exact(high);
-    return dd_real(high) + dd_real(CGAL::to_double(rest));
-  }
-}
 
 template <class N>
 using Ends = std::array<Lifted<N>, 2>;
@@ -174,12 +158,12 @@ double attribute_scale(std::span<const reference::InputVertex> ends, int count, 
 
 template <class N, class T, int K>
 Lifted<N> lift(const NdcVertex<T, K>& v, int attributes, double scale) {
-  const N w = N(1) / number<N>(to_exact(v.position[3]));
+  const N w = N(1) / distance_number<N>(to_exact(v.position[3]));
   Lifted<N> p;
-  for (int i = 0; i < 3; ++i) p.push_back(N(number<N>(to_exact(v.position[i])) * w));
+  for (int i = 0; i < 3; ++i) p.push_back(N(distance_number<N>(to_exact(v.position[i])) * w));
   p.push_back(w);
   for (int k = 0; k < attributes; ++k) {
-    p.push_back(N(number<N>(to_exact(v.attributes[k])) * N(scale)));
+    p.push_back(N(distance_number<N>(to_exact(v.attributes[k])) * N(scale)));
   }
   return p;
 }
@@ -188,7 +172,7 @@ template <class N>
 Lifted<N> lift(const reference::Truth& truth, const reference::InputVertex& v, int attributes,
                double scale) {
   Lifted<N> p;
-  for (const Exact& x : truth.clip_position(v)) p.push_back(number<N>(x));
+  for (const Exact& x : truth.clip_position(v)) p.push_back(distance_number<N>(x));
   for (int k = 0; k < attributes; ++k) {
     p.push_back(N(N(v.attributes[static_cast<std::size_t>(k)]) * N(scale)));
   }

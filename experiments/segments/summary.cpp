@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/report/row_view.hpp"
+
 namespace clipscope::experiments {
 namespace {
 
@@ -27,31 +29,11 @@ constexpr std::array<std::string_view, kMostSeries> kShown = {kCohenSutherland,
                                                               "cvv/cohen_sutherland",
                                                               "window/nicholl_lee_nicholl"};
 
-const Cell& cell(const Table& table, std::size_t row, std::string_view key) {
-  const auto& columns = table.columns();
-  const auto found = std::ranges::find(columns, key, &Column::key);
-  return table.rows()[row].at(static_cast<std::size_t>(found - columns.begin()));
-}
-
-std::string text(const Table& table, std::size_t row, std::string_view key) {
-  const auto* value = std::get_if<std::string>(&cell(table, row, key));
-  return value ? *value : std::string();
-}
-
-std::optional<double> number(const Table& table, std::size_t row, std::string_view key) {
-  const Cell& value = cell(table, row, key);
-  if (const auto* x = std::get_if<double>(&value)) return *x;
-  if (const auto* n = std::get_if<std::int64_t>(&value)) return static_cast<double>(*n);
-  return std::nullopt;
-}
-
 // Of the row of a mix and a clipper.
 std::optional<double> figure(const Table& table, std::string_view mix, std::string_view clipper,
                              std::string_view key) {
-  for (std::size_t i = 0; i < table.rows().size(); ++i) {
-    if (text(table, i, "mix") == mix && text(table, i, "clipper") == clipper) {
-      return number(table, i, key);
-    }
+  for (const RowView& row : rows_of(table)) {
+    if (row.text("mix") == mix && row.text("clipper") == clipper) return row.find_number(key);
   }
   return std::nullopt;
 }
@@ -65,10 +47,10 @@ template <class Belongs>
 std::optional<Plot> bars_by_mix(Plot plot, const Table& table, std::string_view key,
                                 Belongs&& belongs) {
   std::vector<std::string> clippers;
-  for (std::size_t i = 0; i < table.rows().size(); ++i) {
-    if (!belongs(i)) continue;
-    add_once(plot.categories, text(table, i, "mix"));
-    add_once(clippers, text(table, i, "clipper"));
+  for (const RowView& row : rows_of(table)) {
+    if (!belongs(row)) continue;
+    add_once(plot.categories, row.text("mix"));
+    add_once(clippers, row.text("clipper"));
   }
   if (clippers.empty()) return std::nullopt;
   if (clippers.size() > kMostSeries) clippers.assign(kShown.begin(), kShown.end());
@@ -76,11 +58,11 @@ std::optional<Plot> bars_by_mix(Plot plot, const Table& table, std::string_view 
     Series series;
     series.name = clipper;
     series.y.assign(plot.categories.size(), std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t i = 0; i < table.rows().size(); ++i) {
-      if (!belongs(i) || text(table, i, "clipper") != clipper) continue;
-      const auto mix = std::ranges::find(plot.categories, text(table, i, "mix"));
+    for (const RowView& row : rows_of(table)) {
+      if (!belongs(row) || row.text("clipper") != clipper) continue;
+      const auto mix = std::ranges::find(plot.categories, row.text("mix"));
       series.y[static_cast<std::size_t>(mix - plot.categories.begin())] =
-          number(table, i, key).value_or(std::numeric_limits<double>::quiet_NaN());
+          row.find_number(key).value_or(std::numeric_limits<double>::quiet_NaN());
     }
     plot.series.push_back(std::move(series));
   }
@@ -90,12 +72,11 @@ std::optional<Plot> bars_by_mix(Plot plot, const Table& table, std::string_view 
 // "homogeneous/cohen_sutherland on 5 of 9 mixes, ...", by how often a clipper is the fastest, in `scalar`.
 std::string fastest_text(const Table& times, const std::string& scalar) {
   std::map<std::string, std::pair<double, std::string>> best;  // by mix
-  for (std::size_t i = 0; i < times.rows().size(); ++i) {
-    const auto ns = number(times, i, "ns_per_segment");
-    if (!ns || text(times, i, "scalar") != scalar) continue;
-    const auto [at, is_first] =
-        best.try_emplace(text(times, i, "mix"), *ns, text(times, i, "clipper"));
-    if (!is_first && *ns < at->second.first) at->second = {*ns, text(times, i, "clipper")};
+  for (const RowView& row : rows_of(times)) {
+    const auto ns = row.find_number("ns_per_segment");
+    if (!ns || row.text("scalar") != scalar) continue;
+    const auto [at, is_first] = best.try_emplace(row.text("mix"), *ns, row.text("clipper"));
+    if (!is_first && *ns < at->second.first) at->second = {*ns, row.text("clipper")};
   }
   std::map<std::string, int> wins;
   for (const auto& [mix, winner] : best) ++wins[winner.second];
@@ -114,13 +95,13 @@ std::string wrong_text(const Table& times, const std::string& scalar) {
   std::map<std::string, double> wrong;  // by clipper
   double max_px = 0;
   std::string worst;
-  for (std::size_t i = 0; i < times.rows().size(); ++i) {
-    if (text(times, i, "scalar") != scalar) continue;
-    wrong[text(times, i, "clipper")] += number(times, i, "wrong").value_or(0);
-    const double px = number(times, i, "max_px").value_or(0);
+  for (const RowView& row : rows_of(times)) {
+    if (row.text("scalar") != scalar) continue;
+    wrong[row.text("clipper")] += row.find_number("wrong").value_or(0);
+    const double px = row.find_number("max_px").value_or(0);
     if (px <= max_px) continue;
     max_px = px;
-    worst = fmt::format("{} on {}", text(times, i, "clipper"), text(times, i, "mix"));
+    worst = fmt::format("{} on {}", row.text("clipper"), row.text("mix"));
   }
   const std::size_t clippers = wrong.size();
   std::erase_if(wrong, [](const auto& entry) { return entry.second == 0; });
@@ -142,16 +123,16 @@ std::string separator(const std::string& sentences) { return sentences.empty() ?
 
 std::optional<Plot> time_plot(const Table& times) {
   if (times.rows().empty()) return std::nullopt;
-  const std::string scalar = text(times, 0, "scalar");
+  const std::string scalar = rows_of(times).front().text("scalar");
   return bars_by_mix({.name = "segments",
                       .title = fmt::format("Time per segment by mix ({})", scalar),
                       .caption = "View space in, NDC out, with four attributes.",
                       .x = {},
                       .y = {.label = "time [ns/segment]", .from = 0},
                       .series = {}},
-                     times, "ns_per_segment", [&](std::size_t i) {
-                       return text(times, i, "scalar") == scalar &&
-                              number(times, i, "ns_per_segment").has_value();
+                     times, "ns_per_segment", [&](const RowView& row) {
+                       return row.text("scalar") == scalar &&
+                              row.find_number("ns_per_segment").has_value();
                      });
 }
 
@@ -165,7 +146,7 @@ std::optional<Plot> divisions_plot(const Table& operations) {
        .x = {},
        .y = {.label = "divisions per segment", .from = 0},
        .series = {}},
-      operations, "cut_divisions", [](std::size_t) { return true; });
+      operations, "cut_divisions", [](const RowView&) { return true; });
 }
 
 std::string segments_finding(const Table& times, const Table& operations,
@@ -194,19 +175,20 @@ std::string segments_finding(const Table& times, const Table& operations,
         separator(finding), *repeated, *moved, *once, *products, *published);
   }
   if (intersections.rows().size() > 4) {
+    const RowView any(intersections, 0), oblique(intersections, 4);
     finding += fmt::format(
         "{}An intersection takes {:.0f} multiplications and {:.0f} division with any plane, {:.0f} "
         "and {:.0f} in clip space, oblique or not.",
-        separator(finding), number(intersections, 0, "multiplications").value_or(0),
-        number(intersections, 0, "divisions").value_or(0),
-        number(intersections, 4, "multiplications").value_or(0),
-        number(intersections, 4, "divisions").value_or(0));
+        separator(finding), any.find_number("multiplications").value_or(0),
+        any.find_number("divisions").value_or(0),
+        oblique.find_number("multiplications").value_or(0),
+        oblique.find_number("divisions").value_or(0));
   }
   if (!times.rows().empty()) {
-    finding += separator(finding) + fastest_text(times, text(times, 0, "scalar"));
+    finding += separator(finding) + fastest_text(times, rows_of(times).front().text("scalar"));
     std::vector<std::string> scalars;
-    for (std::size_t i = 0; i < times.rows().size(); ++i) {
-      add_once(scalars, text(times, i, "scalar"));
+    for (const RowView& row : rows_of(times)) {
+      add_once(scalars, row.text("scalar"));
     }
     for (const std::string& scalar : scalars) finding += wrong_text(times, scalar);
   }

@@ -114,6 +114,10 @@ std::vector<std::string> ResultsStore::table_names(const std::string& experiment
   return names;
 }
 
+std::vector<Column> ResultsStore::columns(const std::string& table_name) const {
+  return columns_of(*database_, table_name);
+}
+
 bool ResultsStore::has_table(const std::string& name) const {
   bool found = false;
   for_each_row(*database_, "SELECT 1 FROM result_table WHERE name = ?", {name},
@@ -134,7 +138,7 @@ Table ResultsStore::table(const std::string& name) const {
                  stored_name = text(row, 0);
                  title = text(row, 1);
                });
-  Table table(stored_name, title, columns_of(*database_, name));
+  Table table(stored_name, title, columns(name));
   read_rows(*database_, table);
   for_each_row(*database_, "SELECT text FROM note WHERE table_name = ? ORDER BY position", {name},
                [&](const SQLite::Statement& row) { table.add_note(text(row, 0)); });

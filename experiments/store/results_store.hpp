@@ -69,6 +69,8 @@ class ResultsStore {
   std::vector<StoredTable> tables() const;
   std::vector<std::string> table_names(const std::string& experiment) const;
   bool has_table(const std::string& name) const;
+  // Of that table, without its rows; none if there is no such table.
+  std::vector<Column> columns(const std::string& table_name) const;
   // With its title, notes, and values to the bit. Errors: UsageError listing the names if there is none.
   Table table(const std::string& name) const;
   // Plots, then pictures.

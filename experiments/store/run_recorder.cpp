@@ -232,8 +232,7 @@ void RunRecorder::check_names(const Table& table) const {
     if (other.experiment != experiment_) {
       refuse(fmt::format("experiment {} has a table of that name", other.experiment));
     }
-    const Table stored = store_.table(table.name());
-    if (!std::ranges::equal(stored.columns(), table.columns(),
+    if (!std::ranges::equal(store_.columns(table.name()), table.columns(),
                             [](const Column& a, const Column& b) { return a.key == b.key; })) {
       refuse("was stored with other columns");
     }
@@ -271,10 +270,7 @@ void RunRecorder::declare(const Table& table, bool complete) {
   SQLite::Statement insert(*database_,
                            "INSERT INTO note(table_name, position, text) VALUES(?, ?, ?)");
   std::int64_t position = 0;
-  const nlohmann::json json = table.to_json();
-  for (const auto& note : json.at("notes")) {
-    execute(insert, table.name(), position++, note.get<std::string>());
-  }
+  for (const std::string& note : table.notes()) execute(insert, table.name(), position++, note);
 }
 
 void RunRecorder::insert_rows(const Table& table, Rows rows, std::optional<std::int64_t> cell) {

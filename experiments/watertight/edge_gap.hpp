@@ -41,7 +41,7 @@ T edge_mark(std::string_view clipper) {
 // neighbours have in common depends on the position alone.
 template <class T>
 ViewTriangle<T, kSceneAttributes> marked(const SceneTriangle& triangle, const T& mark) {
-  auto result = triangle_cast<T>(triangle);
+  auto result = simplex_cast<T>(triangle);
   for (std::size_t i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) result[i].attributes[k] = T(0);
     result[i].attributes[static_cast<int>(i)] = mark;

@@ -8,6 +8,8 @@
 #include <bit>
 #include <map>
 
+#include "experiments/report/replay_text.hpp"
+
 namespace clipscope::experiments {
 namespace {
 
@@ -83,26 +85,6 @@ std::vector<CutEdge> thinned(const std::vector<CutEdge>& edges, std::size_t limi
 template <class T>
 constexpr bool rounds(const Contestant<T>*) {
   return ScalarTraits<T>::precision > 0;
-}
-
-std::string triangle_text(const SceneTriangle& triangle) {
-  std::string text;
-  for (const auto& v : triangle) {
-    for (int i = 0; i < 3; ++i) {
-      text += fmt::format("{}{:a}", text.empty() ? "" : " ", v.position[i]);
-    }
-  }
-  return text;
-}
-
-constexpr std::array<std::string_view, 3> kDepthNames = {"gl", "zero_to_one", "reversed"};
-
-// The frustum as options of `clipscope clip`.
-std::string frustum_options(const Frustum<float>& f) {
-  return fmt::format("--{} {:a},{:a},{:a},{:a},{:a},{} --depth {}",
-                     f.kind == ProjectionKind::perspective ? "frustum" : "ortho", f.left, f.right,
-                     f.bottom, f.top, f.near, f.infinite_far ? "inf" : fmt::format("{:a}", f.far),
-                     kDepthNames[static_cast<std::size_t>(f.depth)]);
 }
 
 }  // namespace
@@ -196,15 +178,15 @@ ClippedPair clipped_pair(const AnyContestant& contestant, const View& view,
 }
 
 std::string input_text(const std::array<SceneTriangle, 2>& triangles) {
-  return triangle_text(triangles[0]) + "\n" + triangle_text(triangles[1]);
+  return hex_line(triangles[0], 0) + "\n" + hex_line(triangles[1], 0);
 }
 
 std::string replay_command(const AnyContestant& contestant, const View& view,
                            const std::array<SceneTriangle, 2>& triangles) {
-  return fmt::format("printf '%s\\n' '{}' '{}' | clipscope clip --clipper {} --scalar {} {} --hex",
-                     triangle_text(triangles[0]), triangle_text(triangles[1]),
-                     clipper_name(contestant), scalar_name(contestant),
-                     frustum_options(view.frustum));
+  return fmt::format(
+      "printf '%s\\n' '{}' '{}' | clipscope clip --clipper {} --scalar {} {} --depth {} --hex",
+      hex_line(triangles[0], 0), hex_line(triangles[1], 0), clipper_name(contestant),
+      scalar_name(contestant), frustum_options(view.frustum), depth_option(view.frustum.depth));
 }
 
 }  // namespace clipscope::experiments

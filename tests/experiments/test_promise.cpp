@@ -132,7 +132,7 @@ TEST_CASE("promise: every clipper keeps its own on every built-in scene, in ever
     for_each_type(AllScalars{}, [&]<class T>() {
       for (const Contestant<T>& contestant : contestants<T>()) {
         PolygonStream<T, kSceneAttributes> out;
-        contestant.view(projection_of<T>(view), triangles_cast<T>(triangles), out);
+        contestant.view(projection_of<T>(view), simplices_cast<T>(triangles), out);
         for (std::size_t i = 0; i < triangles.size(); ++i) {
           const auto result = checker.check<T, kSceneAttributes>(
               contestant.promise, reference::input_triangle(triangles[i]), out[i]);

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -49,9 +50,11 @@ inline Table table_from(const std::string& name, const std::string& text) {
 using TableTexts = std::map<std::string, std::string>;
 
 inline Results results_from(const TableTexts& tables) {
-  Results results;
-  for (const auto& [name, text] : tables) results.add(table_from(name, text));
-  return results;
+  return Results([tables](const std::string& name) -> std::optional<Table> {
+    const auto found = tables.find(name);
+    if (found == tables.end()) return std::nullopt;
+    return table_from(name, found->second);
+  });
 }
 
 }  // namespace clipscope::experiments

@@ -228,7 +228,7 @@ TEST_CASE("claims: every claim has a figure that changes its verdict") {
 
 TEST_CASE("claims: without its figures every claim is undecided and says what is missing") {
   for (const Claim& claim : all_claims()) {
-    const Finding finding = judge(claim, Results{});
+    const Finding finding = judge(claim, results_from({}));
     INFO("claim " << claim.number);
     CHECK(finding.verdict == ClaimVerdict::undecided);
     CHECK(finding.because.find("table ") != std::string::npos);

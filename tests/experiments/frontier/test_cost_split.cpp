@@ -22,7 +22,7 @@ std::vector<TimedBatch> batches_of(const std::string& scene, std::size_t limit =
 template <class C, class U>
 PolygonStream<U, kSceneAttributes> run(const TimedBatch& batch) {
   PolygonStream<U, kSceneAttributes> out;
-  const auto triangles = triangles_cast<U>(batch.triangles);
+  const auto triangles = simplices_cast<U>(batch.triangles);
   clip_batch<C>(projection_of<U>(batch.view), std::span(std::as_const(triangles)), out);
   return out;
 }

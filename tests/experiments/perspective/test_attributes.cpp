@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "experiments/attributes/attribute_errors.hpp"
+#include "experiments/report/replay_text.hpp"
 #include "tests/catch.hpp"
 
 using namespace clipscope;
@@ -70,7 +71,7 @@ TEST_CASE("crossing triangles: exactly so many planes are crossed, and each can 
 TEST_CASE("crossing triangles: a seed gives the same bits again, another one others") {
   const auto numbers = [](std::uint64_t seed) {
     std::string text;
-    for (const AttributeTriangle& t : crossing_triangles(3, 5, seed)) text += attribute_input(t);
+    for (const AttributeTriangle& t : crossing_triangles(3, 5, seed)) text += hex_line(t);
     return text;
   };
   CHECK(numbers(4) == numbers(4));

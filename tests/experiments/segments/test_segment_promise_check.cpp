@@ -113,7 +113,7 @@ TEST_CASE("segment promise: every clipper keeps its own on every mix, in every s
     for_each_type(AllScalars{}, [&]<class T>() {
       for (const Contestant<T, 2>& contestant : contestants<T, 2>()) {
         PolygonStream<T, K> out;
-        contestant.view(projection_of<T>(batch.view), segments_cast<T>(batch.segments), out);
+        contestant.view(projection_of<T>(batch.view), simplices_cast<T>(batch.segments), out);
         for (std::size_t i = 0; i < batch.segments.size(); ++i) {
           const PromiseCheck result =
               checker.check<T, K>(contestant.promise, input_segment(batch.segments[i]), K, out[i]);

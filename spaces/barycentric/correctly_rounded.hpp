@@ -19,19 +19,18 @@
 // Attributes that are not finite are interpolated in double without a promise; a triangle that is cut
 // by a clip distance that is not finite yields nothing.
 //
-// Source: this project; of the parts, see distance_matrix.hpp and exact_lines.hpp.
+// The stage before the divide is there as well: the polygon in clip coordinates, rounded likewise.
+//
+// Source: this project; of the parts, see distance_matrix.hpp, exact_corners.hpp and exact_lines.hpp.
 // Does not guarantee: anything in other rounding modes than to nearest, or with subnormals flushed.
 // View-space input isn't taken: its transform would be rounded first. It is not in `AllClippers` for
 // that reason.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
-#include <tuple>
-#include <utility>
 
+#include "spaces/barycentric/exact_corners.hpp"
 #include "spaces/barycentric/exact_lines.hpp"
 #include "spaces/clipper.hpp"
 #include "spaces/planes.hpp"
@@ -53,180 +52,113 @@ struct CorrectlyRounded {
   void operator()(const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
                   NdcPolygon<float, K>& out, Count&& count = {}) const {
     out.clear();
-    if (!has_finite_positions(triangle)) return;
-    const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
-      return clip_outcode(volume.depth, triangle[i].position);
-    });
-    if (code.all != 0 || !has_finite_distances(code.any, triangle)) return;
-
-    std::array<Line, 3> edges;  // edge i is opposite to vertex i
-    for (int i = 0; i < 3; ++i) edges[i].rounded[i] = 1;
-    Corners corners, other;
-    for (int i = 0; i < 3; ++i) {
-      const Line &before = edges[(i + 1) % 3], &after = edges[(i + 2) % 3];
-      corners.push_back({meet(before, after), &after});
-    }
-    std::array<Line, kMaxPlanes> rows;
-    for_each_plane(code.any, kAllPlanes, [&](Plane plane) {
-      if (corners.size() < 3) return;  // a point or a segment never grows
-      Line& line = rows[static_cast<int>(plane)];
-      line = row(volume.depth, plane, triangle);
-      cut_corners(corners, line, other, count);
-      std::swap(corners, other);
-    });
-    if (corners.size() < 3) return;
-    append_vertices(volume.depth, corners, triangle, out, count);
+    const Coordinates coordinates = barycentric::clip_coordinates(triangle);
+    barycentric::CutTriangle cut;
+    if (!barycentric::cut_clip_triangle(volume, triangle, coordinates, cut, count)) return;
+    append_vertices(volume.depth, cut.corners, coordinates, triangle, out, count);
     out.drop_if_degenerate();
     clear_if_overflowed(out);
+  }
+
+  // The polygon in clip coordinates: x, y, z, w and the attributes at the points of the triangle,
+  // sum lambda_i p_i / sum lambda_i, are the floats nearest to the exact values. On the planes
+  // x = -w, x = w and so on hold to the bit, and z = +0 where the bound is 0.
+  // The vertices are those with an exact w > 0; w may round to 0. If the triangle has no area in NDC,
+  // some may be one point there. Fewer than three vertices are nothing. Nothing overflows, since all
+  // lies between the vertices of the triangle.
+  template <int K, class Count = barycentric::CountNothing>
+  static void stage(const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
+                    ClipPolygon<float, K>& out, Count&& count = {}) {
+    out.clear();
+    const Coordinates coordinates = barycentric::clip_coordinates(triangle);
+    barycentric::CutTriangle cut;
+    if (!barycentric::cut_clip_triangle(volume, triangle, coordinates, cut, count)) return;
+    const Line w{coordinates[3], {}, 0};
+    for (const Corner& corner : cut.corners) {
+      if (side(corner.at, w, count) <= 0) continue;
+      const barycentric::Divisor sum = divisor(corner.at, barycentric::kOnes);
+      ClipVertex<float, K> v;
+      v.position = clip_position(volume.depth, corner.at, coordinates, sum, count);
+      set_attributes(corner.at, sum, triangle, v.attributes, count);
+      out.push_back(v);
+    }
+    out.drop_if_degenerate();
   }
 
  private:
   using Line = barycentric::Line;
   using Meeting = barycentric::Meeting;
-  using Values = barycentric::Values;
-
-  // A vertex, and the line from it to the next one.
-  struct Corner {
-    Meeting at;
-    const Line* next;
-  };
-  using Corners = VertexList<Corner>;
-
-  // A plane of the volume is w - bound c >= 0, and c >= 0 if bound is 0, where c is coordinate
-  // `axis`: on it c / w = bound.
-  struct PlaneForm {
-    int axis;
-    float bound;
-  };
-  static constexpr PlaneForm form(DepthRange depth, Plane plane) {
-    const int p = static_cast<int>(plane), axis = p / 2;
-    const bool is_z = axis == 2;
-    const bool is_upper = (p % 2 != 0) != (is_z && depth == DepthRange::reversed);
-    if (is_upper) return {axis, 1};
-    return {axis, is_z && depth != DepthRange::minus_one_to_one ? 0.0f : -1.0f};
-  }
-
-  template <int K>
-  static bool has_finite_distances(Outcode planes, const ClipTriangle<float, K>& triangle) {
-    for (int i = 0; (planes >> (kPlanes + i)) != 0; ++i) {
-      if ((planes >> (kPlanes + i) & 1) == 0) continue;
-      for (const ClipVertex<float, K>& v : triangle) {
-        if (!is_finite(v.attributes[i])) return false;
-      }
-    }
-    return true;
-  }
-
-  // A row of the distance matrix, exact.
-  template <int K>
-  static Line row(DepthRange depth, Plane plane, const ClipTriangle<float, K>& triangle) {
-    Line r{{}, {}, bit(plane)};
-    for (int i = 0; i < 3; ++i) {
-      if (is_clip_distance(plane)) {
-        r.rounded[i] = triangle[i].attributes[clip_distance_index(plane)];
-        continue;
-      }
-      const auto [axis, bound] = form(depth, plane);
-      const double c = triangle[i].position[axis], w = triangle[i].position[3];
-      if (bound == 0) {
-        r.rounded[i] = c;
-      } else {
-        std::tie(r.rounded[i], r.error[i]) = bounds::two_sum(w, -bound * c);
-      }
-    }
-    return r;
-  }
-
-  // The corners on the line's inner side and the meetings of the polygon's lines with it: Sutherland
-  // and Hodgman. The polygon is strictly convex in the barycentric plane and is walked in the order of
-  // the triangle, so that at each corner the lines turn one way and lambda, as `meet` has it, is
-  // positive.
-  template <class Count>
-  static void cut_corners(const Corners& in, const Line& line, Corners& out, Count& count) {
-    std::array<int, kMaxPolygonVertices> sides;
-    for (int i = 0; i < in.size(); ++i) sides[i] = side(in[i].at, line, count);
-    out.clear();
-    for (int i = 0; i < in.size(); ++i) {
-      const Corner& from = in[i];
-      const int here = sides[i], next = sides[(i + 1) % in.size()];
-      if (here >= 0) out.push_back({from.at, here == 0 && next < 0 ? &line : from.next});
-      if (here > 0 && next < 0) {
-        out.push_back({meet(*from.next, line), &line});
-      } else if (here < 0 && next > 0) {
-        out.push_back({meet(line, *from.next), from.next});
-      }
-    }
-  }
+  using Corner = barycentric::Corner;
+  using Corners = barycentric::Corners;
+  using Coordinates = std::array<barycentric::Values, 4>;  // x, y, z, w
 
   template <int K, class Count>
   static void append_vertices(DepthRange depth, const Corners& corners,
+                              const Coordinates& coordinates,
                               const ClipTriangle<float, K>& triangle, NdcPolygon<float, K>& out,
                               Count& count) {
-    std::array<Values, 4> positions;
-    for (int c = 0; c < 4; ++c) {
-      for (int i = 0; i < 3; ++i) positions[c][i] = triangle[i].position[c];
-    }
-    const Line w{positions[3], {}, 0};
+    const Line w{coordinates[3], {}, 0};
     std::array<const Meeting*, kMaxPolygonVertices> kept;
     for (const Corner& corner : corners) {
       if (side(corner.at, w, count) <= 0) continue;
       NdcVertex<float, K> v;
-      v.position = ndc_position(depth, corner.at, positions, count);
+      v.position = ndc_position(depth, corner.at, coordinates, count);
       const auto coincides = [&](int i) {
         return have_same_coordinates(out[i].position, v.position) &&
-               coincide(*kept[i], corner.at, positions);
+               coincide(*kept[i], corner.at, coordinates);
       };
       bool seen = false;
       for (int i = 0; i < out.size() && !seen; ++i) seen = coincides(i);
       if (seen) continue;
-      set_attributes(corner.at, triangle, v.attributes, count);
+      set_attributes(corner.at, divisor(corner.at, barycentric::kOnes), triangle, v.attributes,
+                     count);
       kept[out.size()] = &corner.at;
       out.push_back(v);
     }
   }
 
-  static constexpr Plane clip_distance(int i) { return static_cast<Plane>(kPlanes + i); }
-  static constexpr Values kOnes = {1, 1, 1};
+  // Calls f(axis, bound) for each of the six planes that the meeting lies on: there c = bound w.
+  template <class F>
+  static void for_each_fixed(DepthRange depth, const Meeting& m, F&& f) {
+    for_each_plane(planes_of(m) & kSixPlanes, kAllPlanes, [&](Plane plane) {
+      const auto [axis, bound] = barycentric::plane_form(depth, plane);
+      f(axis, bound);
+    });
+  }
+  static constexpr Outcode kSixPlanes = (Outcode{1} << kPlanes) - 1;
 
   template <class Count>
   static Vec4<float> ndc_position(DepthRange depth, const Meeting& m,
-                                  const std::array<Values, 4>& positions, Count& count) {
-    const barycentric::Divisor w = divisor(m, positions[3]);
+                                  const Coordinates& coordinates, Count& count) {
+    const barycentric::Divisor w = divisor(m, coordinates[3]);
     Vec4<float> r;
     std::array<bool, 3> is_set{};
-    for_each_plane((m.a->plane | m.b->plane) & kSixPlanes, kAllPlanes, [&](Plane plane) {
-      const auto [axis, bound] = form(depth, plane);
+    for_each_fixed(depth, m, [&](int axis, float bound) {
       r[axis] = bound;
       is_set[axis] = true;
     });
     for (int c = 0; c < 3; ++c) {
-      if (!is_set[c]) r[c] = rounded_quotient(m, positions[c], w, count);
+      if (!is_set[c]) r[c] = rounded_quotient(m, coordinates[c], w, count);
     }
-    r[3] = rounded_quotient(m, kOnes, w, count);
+    r[3] = rounded_quotient(m, barycentric::kOnes, w, count);
     return r;
   }
-  static constexpr Outcode kSixPlanes = (Outcode{1} << kPlanes) - 1;
 
-  template <int K, class Count>
-  static void set_attributes(const Meeting& m, const ClipTriangle<float, K>& triangle,
-                             Attributes<float, K>& out, Count& count) {
-    const barycentric::Divisor sum = divisor(m, kOnes);
-    out.resize(triangle[0].attributes.size());
-    for (int k = 0; k < out.size(); ++k) {
-      if (k < kMaxClipDistances && ((m.a->plane | m.b->plane) & bit(clip_distance(k))) != 0) {
-        out[k] = 0;
-        continue;
-      }
-      Values a{};  // a vertex without weight takes no part, whatever its attribute
-      for (int i = 0; i < 3; ++i) {
-        if (m.magnitude[i] != 0) a[i] = triangle[i].attributes[k];
-      }
-      if (is_finite(a[0] + a[1] + a[2])) {
-        out[k] = rounded_quotient(m, a, sum, count);
-      } else {
-        out[k] = static_cast<float>(dot(m, a).value / sum.dot.value);
-      }
+  template <class Count>
+  static Vec4<float> clip_position(DepthRange depth, const Meeting& m,
+                                   const Coordinates& coordinates, const barycentric::Divisor& sum,
+                                   Count& count) {
+    Vec4<float> r;
+    r[3] = rounded_quotient(m, coordinates[3], sum, count);
+    std::array<bool, 3> is_set{};
+    for_each_fixed(depth, m, [&](int axis, float bound) {
+      r[axis] = bound == 0 ? 0 : bound * r[3];
+      is_set[axis] = true;
+    });
+    for (int c = 0; c < 3; ++c) {
+      if (!is_set[c]) r[c] = rounded_quotient(m, coordinates[c], sum, count);
     }
+    return r;
   }
 
   static bool have_same_coordinates(const Vec4<float>& a, const Vec4<float>& b) {
@@ -234,9 +166,9 @@ struct CorrectlyRounded {
   }
 
   // Whether two points are the same in NDC, exactly.
-  static bool coincide(const Meeting& a, const Meeting& b, const std::array<Values, 4>& positions) {
+  static bool coincide(const Meeting& a, const Meeting& b, const Coordinates& coordinates) {
     for (int c = 0; c < 3; ++c) {
-      if (!has_same_quotient(a, b, positions[c], positions[3])) return false;
+      if (!has_same_quotient(a, b, coordinates[c], coordinates[3])) return false;
     }
     return true;
   }

@@ -4,7 +4,6 @@
 #include "spaces/barycentric/correctly_rounded.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <iterator>
 #include <limits>
@@ -15,6 +14,7 @@
 #include "reference/exact_clip.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/clip_cases.hpp"
+#include "tests/reference/rounded_rows.hpp"
 
 namespace clipscope::reference {
 namespace {
@@ -23,18 +23,6 @@ using barycentric::CountStages;
 using barycentric::Stage;
 
 using Output = NdcPolygon<float, kAttributes>;
-using Row = std::array<float, 4 + kAttributes>;  // x, y, z, 1/w, attributes
-using Rows = std::vector<Row>;
-
-Rows rows(const Output& polygon) {
-  Rows r;
-  for (const NdcVertex<float, kAttributes>& v : polygon) {
-    Row& row = r.emplace_back();
-    for (int c = 0; c < 4; ++c) row[c] = v.position[c];
-    for (int k = 0; k < kAttributes; ++k) row[4 + k] = v.attributes[k];
-  }
-  return r;
-}
 
 Rows clipped(const Case& c, CountStages& count) {
   Output out;
@@ -59,23 +47,6 @@ Rows expected(const Case& c) {
     if (std::isinf(row[2])) return {};
   }
   return r;
-}
-
-bool same_bits(const Rows& a, const Rows& b) {
-  return std::ranges::equal(a, b, [](const Row& x, const Row& y) {
-    return std::bit_cast<std::array<std::uint32_t, 4 + kAttributes>>(x) ==
-           std::bit_cast<std::array<std::uint32_t, 4 + kAttributes>>(y);
-  });
-}
-
-// The same polygon, from whichever vertex on.
-bool same_cycle(const Rows& a, Rows b) {
-  if (a.empty() || b.empty()) return a.empty() && b.empty();
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    if (same_bits(a, b)) return true;
-    std::rotate(b.begin(), b.begin() + 1, b.end());
-  }
-  return false;
 }
 
 struct Compared {

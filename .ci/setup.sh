@@ -14,6 +14,7 @@ packages=(
   g++ cmake ninja-build git ca-certificates
   libcgal-dev libgmp-dev libmpfr-dev          # exact arithmetic, polyhedra
   libglm-dev libqd-dev                        # vectors, double-double
+  libhwy-dev                                  # SIMD
   libopenimageio-dev fonts-dejavu-core        # pictures and the text in them
   libcairo2-dev                               # vector graphics
   openimageio-tools libopencv-core-dev        # OpenImageIO's CMake package names files of these

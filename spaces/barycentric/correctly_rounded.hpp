@@ -63,6 +63,7 @@ struct CorrectlyRounded {
   // The polygon in clip coordinates: x, y, z, w and the attributes at the points of the triangle,
   // sum lambda_i p_i / sum lambda_i, are the floats nearest to the exact values. On the planes
   // x = -w, x = w and so on hold to the bit, and z = +0 where the bound is 0.
+  // Vertices of the triangle come out as they are, bit for bit.
   // The vertices are those with an exact w > 0; w may round to 0. If the triangle has no area in NDC,
   // some may be one point there. Fewer than three vertices are nothing. Nothing overflows, since all
   // lies between the vertices of the triangle.
@@ -76,6 +77,10 @@ struct CorrectlyRounded {
     const Line w{coordinates[3], {}, 0};
     for (const Corner& corner : cut.corners) {
       if (side(corner.at, w, count) <= 0) continue;
+      if (const int own = barycentric::own_vertex(corner.at); own >= 0) {
+        out.push_back(triangle[own]);
+        continue;
+      }
       const barycentric::Divisor sum = divisor(corner.at, barycentric::kOnes);
       ClipVertex<float, K> v;
       v.position = clip_position(volume.depth, corner.at, coordinates, sum, count);

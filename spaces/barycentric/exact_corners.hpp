@@ -166,6 +166,12 @@ bool cut_clip_triangle(const ClipVolume& volume, const ClipTriangle<float, K>& t
 // The planes that a meeting lies on by construction.
 inline Outcode planes_of(const Meeting& m) { return m.a->plane | m.b->plane; }
 
+// The number of the triangle's vertex that a meeting is, or -1.
+inline int own_vertex(const Meeting& m) {
+  if (planes_of(m) != 0) return -1;
+  return m.magnitude[0] != 0 ? 0 : m.magnitude[1] != 0 ? 1 : 2;
+}
+
 inline constexpr Values kOnes = {1, 1, 1};
 
 // The attributes at a meeting, rounded; a clip distance that cut there is +0. Those that are not finite

@@ -92,12 +92,34 @@ struct HomogeneousSutherlandHodgmanWith
     } else if (code.any == 0 && !is_behind_w_plane(positions)) {
       divide_inside(volume, positions, source, out);
     } else {
-      cut_planes(volume, code.any,
-                 {ClipVertex<T, K>{positions[0], source[0].attributes},
-                  ClipVertex<T, K>{positions[1], source[1].attributes},
-                  ClipVertex<T, K>{positions[2], source[2].attributes}},
-                 out);
+      ClipPolygon<T, K> polygon, scratch;
+      polygon.assign(ClipTriangle<T, K>{ClipVertex<T, K>{positions[0], source[0].attributes},
+                                        ClipVertex<T, K>{positions[1], source[1].attributes},
+                                        ClipVertex<T, K>{positions[2], source[2].attributes}});
+      divide(cut(volume, code.any, polygon, scratch), out);
     }
+  }
+
+  // The step between transform and divide: what the planes of the code leave of the triangle in
+  // `polygon`, in clip space; nothing of one that isn't finite. It comes back in one of the two lists.
+  template <Scalar T, int K>
+  static constexpr const ClipPolygon<T, K>& cut(const ClipVolume& volume, Outcode planes,
+                                                ClipPolygon<T, K>& polygon,
+                                                ClipPolygon<T, K>& scratch) {
+    for (const ClipVertex<T, K>& v : polygon) {
+      if (!has_finite_position(v)) {
+        polygon.clear();
+        return polygon;
+      }
+    }
+    if constexpr (kWPlane != WPlane::none) {
+      cut_if_crossed(polygon, scratch,
+                     [](const ClipVertex<T, K>& v) { return w_distance(v.position); });
+    }
+    return cut_by_planes(polygon, scratch, planes, kPlaneOrder<kOrder>,
+                         [&](Plane plane, const ClipVertex<T, K>& v) {
+                           return signed_distance(volume.depth, plane, v);
+                         });
   }
 
  private:
@@ -115,26 +137,6 @@ struct HomogeneousSutherlandHodgmanWith
       }
     }
     return false;
-  }
-
-  template <Scalar T, int K>
-  static constexpr void cut_planes(const ClipVolume& volume, Outcode planes,
-                                   const ClipTriangle<T, K>& triangle, NdcPolygon<T, K>& out) {
-    if (!has_finite_positions(triangle)) {
-      out.clear();
-      return;
-    }
-    ClipPolygon<T, K> polygon, scratch;
-    polygon.assign(triangle);
-    if constexpr (kWPlane != WPlane::none) {
-      cut_if_crossed(polygon, scratch,
-                     [](const ClipVertex<T, K>& v) { return w_distance(v.position); });
-    }
-    divide(cut_by_planes(polygon, scratch, planes, kPlaneOrder<kOrder>,
-                         [&](Plane plane, const ClipVertex<T, K>& v) {
-                           return signed_distance(volume.depth, plane, v);
-                         }),
-           out);
   }
 };
 

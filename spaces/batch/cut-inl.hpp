@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+//
+// One straddling triangle, in SIMD over the coordinates and attributes of a vertex.
+//
+// Sutherland-Hodgman's polygon has one run of outside vertices per plane, so a bit mask names the edges
+// to be met, and a list of numbers stands for the polygon: nothing is copied from plane to plane. If rounding
+// has made several runs, the plain version takes over. A triangle cut by one plane has its order in a table.
+#if defined(CLIPSCOPE_BATCH_CUT_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLIPSCOPE_BATCH_CUT_INL
+#undef CLIPSCOPE_BATCH_CUT_INL
+#else
+#define CLIPSCOPE_BATCH_CUT_INL
+#endif
+
+#include <bit>
+
+#include "spaces/batch/classify-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace clipscope::batch::HWY_NAMESPACE {
+
+// The floats of a vertex: 4 + K, or a number known at run time for K = kRunTime.
+template <int K>
+struct Shape {
+  static constexpr bool kFixed = K != kRunTime;
+  static constexpr std::size_t kMostFloats = kFixed ? 4 + K : 4 + kMaxAttributes;
+  // Whole vectors: what a vertex occupies in scratch memory.
+  static constexpr std::size_t kWidth = kMostFloats <= 4 ? 4 : (kMostFloats + 7) / 8 * 8;
+  // Only then may a vector be loaded from the user's memory.
+  static constexpr bool kLoadsInPlace = kFixed && kWidth == kMostFloats;
+
+  int attributes = K;
+
+  HWY_INLINE std::size_t floats() const {
+    return kFixed ? kMostFloats : 4 + static_cast<std::size_t>(attributes);
+  }
+  HWY_INLINE std::size_t width() const { return kFixed ? kWidth : (floats() + 7) / 8 * 8; }
+};
+
+// Vectors of T over a vertex.
+template <class T, class S>
+using LanesOf = hn::CappedTag<T, S::kWidth <= 4 ? 4 : 8>;
+
+// Floats or doubles of memory as a vector of T, and back; float to double is exact, double to float rounded.
+template <class D, class From>
+HWY_INLINE hn::Vec<D> load(D d, const From* p) {
+  if constexpr (std::is_same_v<From, hn::TFromD<D>>) {
+    return hn::LoadU(d, p);
+  } else {
+    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), p));
+  }
+}
+template <class D, class To>
+HWY_INLINE void store(D d, hn::Vec<D> v, To* p) {
+  if constexpr (std::is_same_v<To, hn::TFromD<D>>) {
+    hn::StoreU(v, d, p);
+  } else {
+    const hn::Rebind<float, D> df;
+    hn::StoreU(hn::DemoteTo(df, v), df, p);
+  }
+}
+
+// Whether the three positions are finite, and so far from the largest float that no difference or sum of
+// two products with weights in [0, 1] overflows.
+HWY_INLINE bool is_moderate(const float* const v[3]) {
+  const auto most = hn::Set(kD4, kLargest / 4);
+  const auto ok = hn::And(hn::Le(hn::Abs(hn::LoadU(kD4, v[0])), most),
+                          hn::And(hn::Le(hn::Abs(hn::LoadU(kD4, v[1])), most),
+                                  hn::Le(hn::Abs(hn::LoadU(kD4, v[2])), most)));
+  return hn::AllTrue(kD4, ok);
+}
+
+// The signed distance in T of a vertex to a plane.
+template <class T, class U>
+HWY_INLINE T distance(const CodePlane& plane, const U* v) {
+  return T(plane.w_weight) * T(v[3]) + T(plane.c_weight) * T(v[plane.axis]);
+}
+
+// A triangle that one plane cuts: the inside vertices in order, then the edge that leaves the inside and the
+// one that enters it, each from its inside end.
+struct OnePlane {
+  std::uint8_t first, second;  // inside; `second` counts only if there are two
+  std::uint8_t inside;         // how many
+  std::uint8_t leave_in, leave_out, enter_in, enter_out;
+};
+// By the mask of outside vertices, 1 to 6.
+inline constexpr OnePlane kOnePlane[7] = {{},
+                                          {1, 2, 2, 2, 0, 1, 0},
+                                          {2, 0, 2, 0, 1, 2, 1},
+                                          {2, 2, 1, 2, 0, 2, 1},
+                                          {0, 1, 2, 1, 2, 0, 2},
+                                          {1, 1, 1, 1, 2, 1, 0},
+                                          {0, 0, 1, 0, 1, 0, 2}};
+
+// A vertex to the output. Whole vectors may be written: what is behind is written later.
+template <class S, class From>
+HWY_INLINE void copy_vertex(const S& shape, const From* v, float* out) {
+  const LanesOf<From, S> d;
+  for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d))
+    store(d, hn::LoadU(d, v + i), out + i);
+}
+
+// Three vertices of the input that lie one after the other.
+template <class S>
+HWY_INLINE void copy_triangle(const S& shape, const float* v, float* out) {
+  if constexpr (S::kLoadsInPlace) {
+    const LanesOf<float, S> d;
+    for (std::size_t i = 0; i < 3 * S::kWidth; i += hn::Lanes(d))
+      hn::StoreU(hn::LoadU(d, v + i), d, out + i);
+  } else {
+    std::memcpy(out, v, 3 * shape.floats() * sizeof(float));
+  }
+}
+
+// a + t (b - a) in T.
+template <class T, class S, class From, class To>
+HWY_INLINE void meet(const S& shape, const From* a, const From* b, T t, To* out) {
+  const LanesOf<T, S> d;
+  const auto vt = hn::Set(d, t);
+  for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
+    const auto va = load(d, a + i), vb = load(d, b + i);
+    store(d, hn::Add(va, hn::Mul(vt, hn::Sub(vb, va))), out + i);
+  }
+}
+
+inline constexpr int kGiveUp = -1;
+
+// A triangle that some plane cuts: its vertices, whole vectors readable, and their codes.
+struct Straddler {
+  const float* vertex[3];
+  unsigned code[3];
+  unsigned any;
+
+  // Mask of the vertices outside the plane of that bit.
+  HWY_INLINE unsigned outside(int bit) const {
+    return (code[0] >> bit & 1) | (code[1] >> bit & 1) << 1 | (code[2] >> bit & 1) << 2;
+  }
+};
+
+// The bits of the planes that a vertex of doubles is outside of. Pre-condition: it is finite.
+HWY_INLINE unsigned vertex_code(const Limits& limits, const double* v) {
+  const double w = v[3], lowest_z = limits.keep[6] != 0 ? -w : 0.0;
+  return static_cast<unsigned>(v[0] > w) | static_cast<unsigned>(v[1] > w) << 1 |
+         static_cast<unsigned>(v[2] > w) << 2 | static_cast<unsigned>(v[0] < -w) << 4 |
+         static_cast<unsigned>(v[1] < -w) << 5 | static_cast<unsigned>(v[2] < lowest_z) << 6;
+}
+
+// Sutherland-Hodgman in T, float or double. Both functions write the polygon to `out` and return how
+// many vertices it has, or kGiveUp.
+template <class T, class S>
+struct Chain {
+  const S& shape;
+  const Limits& limits;
+  const std::array<CodePlane, kPlanes>& planes;
+
+  HWY_INLINE int cut_one_plane(const Straddler& s, const CodePlane& plane, float* out) const {
+    const OnePlane& order = kOnePlane[s.outside(plane.bit)];
+    const float *leave_in = s.vertex[order.leave_in], *leave_out = s.vertex[order.leave_out],
+                *enter_in = s.vertex[order.enter_in], *enter_out = s.vertex[order.enter_out];
+    const T d_leave = distance<T>(plane, leave_in), d_enter = distance<T>(plane, enter_in);
+    if (d_leave == 0 || d_enter == 0) return kGiveUp;  // an inside vertex on the plane
+    const T leave = d_leave / (d_leave - distance<T>(plane, leave_out)),
+            enter = d_enter / (d_enter - distance<T>(plane, enter_out));
+    const std::size_t stride = shape.floats();
+    copy_vertex(shape, s.vertex[order.first], out);
+    copy_vertex(shape, s.vertex[order.second], out + stride);
+    float* cut = out + order.inside * stride;
+    meet<T>(shape, leave_in, leave_out, leave, cut);
+    const float w = cut[3];
+    meet<T>(shape, enter_in, enter_out, enter, cut + stride);
+    return w > 0 && cut[stride + 3] > 0 ? order.inside + 2 : kGiveUp;
+  }
+
+  HWY_INLINE int cut_planes(const Straddler& s, float* out) const {
+    Pool pool;
+    for (int i = 0; i < 3; ++i) {
+      load_vertex(s.vertex[i], pool.vertex[i]);
+      pool.code[i] = s.code[i];
+    }
+    List list{{0, 1, 2}, 3};
+    for (const CodePlane& plane : planes) {
+      if ((s.any >> plane.bit & 1) == 0) continue;
+      if (!cut(plane, pool, list)) return kGiveUp;
+    }
+    if (list.size < 3) return 0;
+    int kept = 0;
+    for (int i = 0; i < list.size; ++i) {
+      const T* v = pool.vertex[list.at[i]];
+      if (!(v[3] > 0)) continue;
+      copy_vertex(shape, v, out + kept++ * shape.floats());
+    }
+    return kept < 3 ? 0 : kept;
+  }
+
+ private:
+  static constexpr int kMost = 3 + 2 * kPlanes;
+
+  struct Pool {
+    HWY_ALIGN T vertex[kMost][S::kWidth];
+    unsigned code[kMost];
+    int size = 3;
+  };
+  // The polygon: numbers in the pool.
+  struct List {
+    std::uint8_t at[kMost + 1];
+    int size;
+  };
+
+  HWY_INLINE void load_vertex(const float* v, T* out) const {
+    const LanesOf<T, S> d;
+    for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d))
+      hn::Store(load(d, v + i), d, out + i);
+  }
+
+  // Whether the outside vertices were one run.
+  HWY_INLINE bool cut(const CodePlane& plane, Pool& pool, List& list) const {
+    const int n = list.size;
+    unsigned outside = 0;
+    for (int i = 0; i < n; ++i) outside |= (pool.code[list.at[i]] >> plane.bit & 1) << i;
+    if (outside == 0) return true;
+    if (outside == (1u << n) - 1) {
+      list.size = 0;
+      return true;
+    }
+    const unsigned starts = outside & ~(outside << 1 | outside >> (n - 1));
+    if ((starts & (starts - 1)) != 0) return false;
+    const int first_out = std::countr_zero(starts), length = std::popcount(outside);
+    const auto wrap = [n](int i) { return i >= n ? i - n : i; };
+    const int first_in = wrap(first_out + length), last_in = wrap(first_out + n - 1);
+    List r{{}, 0};
+    for (int i = 0; i < n - length; ++i) r.at[r.size++] = list.at[wrap(first_in + i)];
+    add_cut(plane, list.at[last_in], list.at[first_out], pool, r);
+    add_cut(plane, list.at[first_in], list.at[wrap(first_out + length - 1)], pool, r);
+    list = r;
+    return true;
+  }
+
+  // The edge's meeting with the plane, unless its inside end lies on it.
+  HWY_INLINE void add_cut(const CodePlane& plane, int in, int out, Pool& pool, List& list) const {
+    const T d_in = distance<T>(plane, pool.vertex[in]);
+    if (d_in == 0) return;
+    const T d_out = distance<T>(plane, pool.vertex[out]);
+    meet<T>(shape, pool.vertex[in], pool.vertex[out], d_in / (d_in - d_out),
+            pool.vertex[pool.size]);
+    pool.code[pool.size] = vertex_code(limits, pool.vertex[pool.size]);
+    list.at[list.size++] = static_cast<std::uint8_t>(pool.size++);
+  }
+};
+
+}  // namespace clipscope::batch::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

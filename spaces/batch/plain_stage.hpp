@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+//
+// The stage's output contracts in plain C++: what the SIMD code has to answer, and the fallback for volumes
+// that it does not take.
+#pragma once
+
+#include "spaces/batch/layout.hpp"
+#include "spaces/batch/plain.hpp"
+
+namespace clipscope::batch::plain {
+
+// An inside triangle is usable as it is if every w is finite and positive.
+template <int K>
+bool is_usable(const ClipTriangle<float, K>& triangle) {
+  for (const ClipVertex<float, K>& v : triangle) {
+    if (!(0 < v.position[3]) || !has_finite_position(v)) return false;
+  }
+  return true;
+}
+
+// Where the triangles that are inside go.
+enum class Inside { written, named };
+
+// triangle_at(t) gives triangle t as ClipTriangle<float, K>.
+template <int K, class TriangleAt>
+void run(Method method, const ClipVolume& volume, std::size_t triangles, int attributes,
+         Inside inside, TriangleAt&& triangle_at, Output& out) {
+  const OutputAccess access{out};
+  access.begin(attributes);
+  Tally& tally = access.tally();
+  ClipPolygon<float, K> polygon;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    Writer writer = access.block(1);
+    const ClipTriangle<float, K> triangle = triangle_at(t);
+    const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
+      return clip_outcode(volume.depth, triangle[i].position);
+    });
+    const bool is_inside = code.any == 0 && is_usable(triangle);
+    tally.inside += is_inside;
+    tally.rejected += code.all != 0;
+    tally.plain += code.all == 0 && !is_inside;
+    if (is_inside && inside == Inside::named) {
+      *writer.inside++ = static_cast<std::uint32_t>(t);
+    } else if (code.all == 0) {
+      if (is_inside) {
+        polygon.assign(triangle);
+      } else {
+        clip_plain(method, volume, triangle, polygon);
+      }
+      write_polygon(polygon, writer.next);
+      writer.add(t, polygon.size());
+    }
+    access.commit(writer);
+  }
+}
+
+// Four attributes have code of their own.
+template <class TriangleAt>
+void run(Method method, const ClipVolume& volume, std::size_t triangles, int attributes,
+         Inside inside, TriangleAt&& triangle_at, Output& out) {
+  const auto with = [&]<int K>(std::integral_constant<int, K>) {
+    run<K>(
+        method, volume, triangles, attributes, inside,
+        [&](std::size_t t) { return triangle_at(std::integral_constant<int, K>(), t); }, out);
+  };
+  if (attributes == 4) {
+    with(std::integral_constant<int, 4>());
+  } else {
+    with(std::integral_constant<int, kRunTime>());
+  }
+}
+
+inline void copy(Method method, const ClipVolume& volume, const VertexArray& in, Output& out) {
+  const auto at = [&]<int K>(std::integral_constant<int, K>, std::size_t t) {
+    ClipTriangle<float, K> r;
+    for (std::size_t i = 0; i < 3; ++i) {
+      r[i] = read_vertex<K>(in.data + (3 * t + i) * in.stride(), in.attributes);
+    }
+    return r;
+  };
+  run(method, volume, in.count / 3, in.attributes, Inside::written, at, out);
+}
+
+inline void reference(Method method, const ClipVolume& volume, const TriangleStreams& in,
+                      Output& out) {
+  const auto at = [&]<int K>(std::integral_constant<int, K>, std::size_t t) {
+    ClipTriangle<float, K> r;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (int c = 0; c < 4; ++c) r[i].position[c] = in.positions[i][c][t];
+      r[i].attributes.resize(in.attribute_count);
+      for (int k = 0; k < in.attribute_count; ++k) {
+        r[i].attributes[k] =
+            in.attributes[(3 * t + i) * static_cast<std::size_t>(in.attribute_count) + k];
+      }
+    }
+    return r;
+  };
+  run(method, volume, in.count, in.attribute_count, Inside::named, at, out);
+}
+
+inline void indexed(Method method, const ClipVolume& volume, const IndexedMesh& mesh, Output& out) {
+  const VertexArray& in = mesh.vertices;
+  const auto at = [&]<int K>(std::integral_constant<int, K>, std::size_t t) {
+    ClipTriangle<float, K> r;
+    for (std::size_t i = 0; i < 3; ++i) {
+      r[i] = read_vertex<K>(in.data + mesh.indices[3 * t + i] * in.stride(), in.attributes);
+    }
+    return r;
+  };
+  run(method, volume, mesh.indices.size() / 3, in.attributes, Inside::named, at, out);
+}
+
+}  // namespace clipscope::batch::plain

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+//
+// The stage in its three output contracts: triangles are classified block by block, without a branch, and
+// what survives is copied, named or cut in the order of the input.
+#if defined(CLIPSCOPE_BATCH_STAGE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLIPSCOPE_BATCH_STAGE_INL
+#undef CLIPSCOPE_BATCH_STAGE_INL
+#else
+#define CLIPSCOPE_BATCH_STAGE_INL
+#endif
+
+#include "spaces/batch/barycentric-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace clipscope::batch::HWY_NAMESPACE {
+
+// Cuts one triangle at a time by a method.
+template <Method kMethod, int K>
+class Cutter {
+ public:
+  using S = Shape<K>;
+
+  Cutter(const ClipVolume& volume, int attributes)
+      : shape{attributes},
+        limits(volume.depth),
+        volume_(volume),
+        planes_(code_planes(volume.depth)) {
+    for (const CodePlane& plane : planes_) by_bit_[plane.bit] = plane;
+  }
+
+  const S shape;
+  const Limits limits;
+
+  // Vertices written to `out`. any: the bits that some vertex has; not 0.
+  HWY_INLINE int cut(const float* const vertex[3], unsigned any, float* out, Tally& tally) const {
+    if (!is_moderate(vertex)) {
+      ++tally.plain;
+      return cut_plainly(vertex, out);
+    }
+    Straddler s{{vertex[0], vertex[1], vertex[2]},
+                {vertex_code(limits, vertex[0]), vertex_code(limits, vertex[1]),
+                 vertex_code(limits, vertex[2])},
+                any};
+    int count;
+    if ((any & kPlaneBits) != 0 && (any & (any - 1)) == 0) {
+      count = cut_one_plane(s, by_bit_[std::countr_zero(any)], out);
+      tally.one_plane += count != kGiveUp;
+    } else {
+      count = cut_planes(s, out);
+      tally.planes += count != kGiveUp;
+    }
+    if (count != kGiveUp) return count;
+    ++(kMethod == Method::correctly_rounded ? tally.exact : tally.plain);
+    return cut_plainly(vertex, out);
+  }
+
+ private:
+  static constexpr bool kIsChain =
+      kMethod == Method::homogeneous || kMethod == Method::homogeneous_double;
+  using T = std::conditional_t<kMethod == Method::homogeneous, float, double>;
+  using Originals = FromOriginals<kMethod == Method::correctly_rounded, S>;
+
+  HWY_INLINE int cut_one_plane(const Straddler& s, const CodePlane& plane, float* out) const {
+    if constexpr (kIsChain) {
+      return Chain<T, S>{shape, limits, planes_}.cut_one_plane(s, plane, out);
+    } else {
+      return Originals{shape, volume_.depth}.cut_one_plane(s, plane, out);
+    }
+  }
+
+  HWY_INLINE int cut_planes(const Straddler& s, float* out) const {
+    if constexpr (kIsChain) {
+      return Chain<T, S>{shape, limits, planes_}.cut_planes(s, out);
+    } else {
+      barycentric::CutTriangle cut;
+      if (!cut_corners(s, cut)) return 0;
+      return Originals{shape, volume_.depth}.write(cut, s, out);
+    }
+  }
+
+  HWY_NOINLINE bool cut_corners(const Straddler& s, barycentric::CutTriangle& cut) const {
+    const auto row_of = [&](Plane plane) {
+      const barycentric::PlaneForm form = barycentric::plane_form(volume_.depth, plane);
+      barycentric::Values c, w;
+      for (int i = 0; i < 3; ++i) {
+        c[i] = s.vertex[i][form.axis];
+        w[i] = s.vertex[i][3];
+      }
+      return barycentric::clip_row(form, plane, c, w);
+    };
+    std::conditional_t<kMethod == Method::correctly_rounded, barycentric::CountNothing,
+                       RoundedSigns>
+        count;
+    barycentric::cut_triangle(outcode_of(s.any), row_of, cut, count);
+    return cut.corners.size() >= 3;
+  }
+
+  HWY_INLINE Outcode outcode_of(unsigned any) const {
+    constexpr Plane kOrder[] = {Plane::near,  Plane::far,    Plane::left,
+                                Plane::right, Plane::bottom, Plane::top};
+    Outcode code = 0;
+    for (int p = 0; p < kPlanes; ++p) code |= (any >> planes_[p].bit & 1) * bit(kOrder[p]);
+    return code;
+  }
+
+  HWY_NOINLINE int cut_plainly(const float* const vertex[3], float* out) const {
+    ClipTriangle<float, K> triangle;
+    for (int i = 0; i < 3; ++i) {
+      triangle[i] = read_vertex<K>(vertex[i], shape.attributes);
+    }
+    ClipPolygon<float, K> polygon;
+    clip_plain(kMethod, volume_, triangle, polygon);
+    write_polygon(polygon, out);
+    return polygon.size();
+  }
+
+  const ClipVolume volume_;
+  const std::array<CodePlane, kPlanes> planes_;
+  std::array<CodePlane, 8> by_bit_{};
+};
+
+// A triangle's vertices as whole vectors: those of the input, or copies with zeros behind.
+template <class S>
+class Padded {
+ public:
+  const float* vertex[3];
+
+  // Three vertices at pointers of the user's.
+  HWY_INLINE void set(const S& shape, const float* a, const float* b, const float* c) {
+    if constexpr (S::kLoadsInPlace) {
+      vertex[0] = a;
+      vertex[1] = b;
+      vertex[2] = c;
+    } else {
+      const float* from[3] = {a, b, c};
+      for (int i = 0; i < 3; ++i) {
+        std::memcpy(memory_[i], from[i], shape.floats() * sizeof(float));
+        vertex[i] = memory_[i];
+      }
+    }
+  }
+
+  // Triangle t of streams.
+  HWY_INLINE void set(const S& shape, const TriangleStreams& in, std::size_t t) {
+    const std::size_t attributes = shape.floats() - 4;
+    for (int i = 0; i < 3; ++i) {
+      for (int c = 0; c < 4; ++c) memory_[i][c] = in.positions[i][c][t];
+      std::memcpy(memory_[i] + 4, in.attributes + (3 * t + i) * attributes,
+                  attributes * sizeof(float));
+      vertex[i] = memory_[i];
+    }
+  }
+
+ private:
+  HWY_ALIGN float memory_[3][S::kWidth] = {};
+};
+
+template <class Cut>
+HWY_INLINE void cut_into(const Cut& cutter, const float* const vertex[3], unsigned any,
+                         std::size_t triangle, Writer& writer, Tally& tally) {
+  writer.add(triangle, cutter.cut(vertex, any, writer.next, tally));
+}
+
+template <Method kMethod, int K>
+void clip_copy(const ClipVolume& volume, const VertexArray& in, Output& out) {
+  const Cutter<kMethod, K> cutter(volume, in.attributes);
+  const OutputAccess access{out};
+  access.begin(in.attributes);
+  Padded<Shape<K>> padded;
+  Survivors survivors;
+  const std::size_t stride = cutter.shape.floats(), triangles = in.count / 3;
+  for (std::size_t first = 0; first < triangles; first += kBlock) {
+    const std::size_t count = std::min(kBlock, triangles - first);
+    const float* block = in.data + first * 3 * stride;
+    survivors.count = 0;
+    classify_block(cutter.limits, block, stride, count, survivors);
+    Writer writer = access.block(survivors.count);
+    Tally& tally = access.tally();
+    tally.rejected += count - survivors.count;
+    for (std::size_t i = 0; i < survivors.count; ++i) {
+      const std::size_t t = survivors.triangle[i];
+      const float* v = block + 3 * t * stride;
+      if (survivors.any[i] == 0) {
+        copy_triangle(cutter.shape, v, writer.next);
+        writer.add(first + t, 3);
+        ++tally.inside;
+      } else {
+        padded.set(cutter.shape, v, v + stride, v + 2 * stride);
+        cut_into(cutter, padded.vertex, survivors.any[i], first + t, writer, tally);
+      }
+    }
+    access.commit(writer);
+  }
+}
+
+// Classifies triangles [first, first + count) in whole vectors, and returns how many that are: numbers of those
+// inside go to the writer, others that survive, counted from `first`, to the list.
+template <class D>
+HWY_INLINE std::size_t classify_streams(D d, const Limits& limits, const TriangleStreams& in,
+                                        std::size_t first, std::size_t count, Writer& writer,
+                                        Survivors& out) {
+  const hn::RebindToUnsigned<D> du;
+  const bool from_zero = limits.keep[6] == 0;
+  std::size_t t = 0;
+  for (; t + hn::Lanes(d) <= count; t += hn::Lanes(d)) {
+    // Per plane: whether some vertex is inside; and whether all are, of all planes.
+    hn::Mask<D> some[kPlanes], every;
+    auto least_w = hn::Zero(d), most_w = hn::Zero(d);
+    for (int v = 0; v < 3; ++v) {
+      const auto& p = in.positions[v];
+      const auto x = hn::LoadU(d, p[0] + first + t), y = hn::LoadU(d, p[1] + first + t),
+                 z = hn::LoadU(d, p[2] + first + t), w = hn::LoadU(d, p[3] + first + t);
+      const auto minus_w = hn::Neg(w);
+      const hn::Mask<D> in_plane[kPlanes] = {
+          hn::Le(x, w),       hn::Le(y, w),       hn::Le(z, w),
+          hn::Le(minus_w, x), hn::Le(minus_w, y), hn::Le(from_zero ? hn::Zero(d) : minus_w, z)};
+      for (int i = 0; i < kPlanes; ++i) {
+        some[i] = v == 0 ? in_plane[i] : hn::Or(some[i], in_plane[i]);
+        every = v == 0 && i == 0 ? in_plane[i] : hn::And(every, in_plane[i]);
+      }
+      least_w = v == 0 ? w : hn::Min(least_w, w);
+      most_w = v == 0 ? w : hn::Max(most_w, w);
+    }
+    hn::Mask<D> survives = some[0];
+    for (int i = 1; i < kPlanes; ++i) survives = hn::And(survives, some[i]);
+    if (hn::AllFalse(d, survives)) continue;
+    // Where `every` holds no w is NaN.
+    const auto inside =
+        hn::And(every, hn::And(hn::Le(most_w, hn::Set(d, kLargest)), hn::Gt(least_w, hn::Zero(d))));
+    const auto numbers = hn::Iota(du, static_cast<std::uint32_t>(first + t));
+    writer.inside += hn::CompressStore(numbers, hn::RebindMask(du, inside), du, writer.inside);
+    for (unsigned rest = mask_bits(d, hn::AndNot(inside, survives)); rest != 0; rest &= rest - 1) {
+      out.triangle[out.count++] = static_cast<std::uint16_t>(t + std::countr_zero(rest));
+    }
+  }
+  return t;
+}
+
+// The bits that some of three vertices have, and those that all have.
+HWY_INLINE Codes codes_of(const Limits& limits, const float* const vertex[3]) {
+  const unsigned a = vertex_code(limits, vertex[0]), b = vertex_code(limits, vertex[1]),
+                 c = vertex_code(limits, vertex[2]);
+  return {a & b & c, a | b | c};
+}
+
+template <Method kMethod, int K>
+void clip_reference(const ClipVolume& volume, const TriangleStreams& in, Output& out) {
+  const Cutter<kMethod, K> cutter(volume, in.attribute_count);
+  const OutputAccess access{out};
+  access.begin(in.attribute_count);
+  Padded<Shape<K>> padded;
+  Survivors survivors;
+  for (std::size_t first = 0; first < in.count; first += kBlock) {
+    const std::size_t count = std::min(kBlock, in.count - first);
+    Writer writer = access.block(count);
+    const std::uint32_t* inside = writer.inside;
+    survivors.count = 0;
+    std::size_t t = classify_streams(hn::ScalableTag<float>(), cutter.limits, in, first, count,
+                                     writer, survivors);
+    for (; t < count; ++t) {  // what is left of a vector
+      padded.set(cutter.shape, in, first + t);
+      const Codes codes = codes_of(cutter.limits, padded.vertex);
+      if (codes.any == 0) *writer.inside++ = static_cast<std::uint32_t>(first + t);
+      survivors.triangle[survivors.count] = static_cast<std::uint16_t>(t);
+      survivors.count += codes.any != 0 && (codes.all & kPlaneBits) == 0;
+    }
+    Tally& tally = access.tally();
+    const auto inside_count = static_cast<std::size_t>(writer.inside - inside);
+    tally.inside += inside_count;
+    tally.rejected += count - inside_count - survivors.count;
+    for (std::size_t i = 0; i < survivors.count; ++i) {
+      padded.set(cutter.shape, in, first + survivors.triangle[i]);
+      const unsigned any = codes_of(cutter.limits, padded.vertex).any;
+      cut_into(cutter, padded.vertex, any, first + survivors.triangle[i], writer, tally);
+    }
+    access.commit(writer);
+  }
+}
+
+// Codes of all vertices of a mesh.
+template <int K>
+HWY_INLINE void classify_vertices(const Shape<K>& shape, const Limits& limits,
+                                  const VertexArray& in, std::uint8_t* codes) {
+  const float* v = in.data;
+  for (std::size_t i = 0; i < in.count; ++i, v += shape.floats()) {
+    codes[i] = static_cast<std::uint8_t>(vertex_code(limits, v));
+  }
+}
+
+template <Method kMethod, int K>
+void clip_indexed(const ClipVolume& volume, const IndexedMesh& mesh, Output& out) {
+  const Cutter<kMethod, K> cutter(volume, mesh.vertices.attributes);
+  const OutputAccess access{out};
+  access.begin(mesh.vertices.attributes);
+  std::uint8_t* const codes = access.codes(mesh.vertices.count);
+  classify_vertices(cutter.shape, cutter.limits, mesh.vertices, codes);
+  Padded<Shape<K>> padded;
+  Survivors survivors;
+  const std::size_t stride = cutter.shape.floats(), triangles = mesh.indices.size() / 3;
+  for (std::size_t first = 0; first < triangles; first += kBlock) {
+    const std::size_t count = std::min(kBlock, triangles - first);
+    const std::uint32_t* indices = mesh.indices.data() + 3 * first;
+    Writer writer = access.block(count);
+    std::uint32_t* inside = writer.inside;
+    survivors.count = 0;
+    for (std::size_t t = 0; t < count; ++t) {
+      const unsigned a = codes[indices[3 * t]], b = codes[indices[3 * t + 1]],
+                     c = codes[indices[3 * t + 2]], any = a | b | c;
+      *inside = static_cast<std::uint32_t>(first + t);
+      inside += any == 0;
+      survivors.triangle[survivors.count] = static_cast<std::uint16_t>(t);
+      survivors.any[survivors.count] = static_cast<std::uint8_t>(any);
+      survivors.count += any != 0 && (a & b & c & kPlaneBits) == 0;
+    }
+    Tally& tally = access.tally();
+    const auto inside_count = static_cast<std::size_t>(inside - writer.inside);
+    writer.inside = inside;
+    tally.inside += inside_count;
+    tally.rejected += count - inside_count - survivors.count;
+    for (std::size_t i = 0; i < survivors.count; ++i) {
+      const std::size_t t = survivors.triangle[i];
+      const auto at = [&](int v) { return mesh.vertices.data + indices[3 * t + v] * stride; };
+      padded.set(cutter.shape, at(0), at(1), at(2));
+      cut_into(cutter, padded.vertex, survivors.any[i], first + t, writer, tally);
+    }
+    access.commit(writer);
+  }
+}
+
+}  // namespace clipscope::batch::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -3,7 +3,7 @@
 // One straddling triangle whose new vertices come from its three own ones, in double: value =
 // sum lambda_i v_i / sum lambda_i, in SIMD over the coordinates and attributes of a vertex.
 //
-// kCertain: the value of each float is known to within a proved bound, and the floats nearest to both ends
+// kCertain, of floats only: the value of each float is known to within a proved bound, and the floats nearest to both ends
 // of that interval are the same; else the triangle is handed back, to be settled by expansions.
 //
 // Lemma (one plane). lambda of an edge is (-d_out, d_in), both positive: doubles within u = 2^-53 of the exact
@@ -35,29 +35,31 @@ struct FromOriginals {
   using DU = hn::Rebind<std::uint32_t, D>;
   using Bits = hn::Vec<DU>;
 
-  HWY_INLINE int cut_one_plane(const Straddler& s, const CodePlane& plane, float* out) const {
+  template <class V>
+  HWY_INLINE int cut_one_plane(const Straddler<V>& s, const CodePlane& plane, V* out) const {
     const OnePlane& order = kOnePlane[s.outside(plane.bit)];
-    const float *leave_in = s.vertex[order.leave_in], *leave_out = s.vertex[order.leave_out],
-                *enter_in = s.vertex[order.enter_in], *enter_out = s.vertex[order.enter_out];
+    const V *leave_in = s.vertex[order.leave_in], *leave_out = s.vertex[order.leave_out],
+            *enter_in = s.vertex[order.enter_in], *enter_out = s.vertex[order.enter_out];
     const double d_leave = distance<double>(plane, leave_in),
                  d_enter = distance<double>(plane, enter_in);
     if (d_leave == 0 || d_enter == 0) return kGiveUp;  // an inside vertex on the plane
     const std::size_t stride = shape.floats();
     copy_vertex(shape, s.vertex[order.first], out);
     copy_vertex(shape, s.vertex[order.second], out + stride);
-    float* cut = out + order.inside * stride;
+    V* cut = out + order.inside * stride;
     Bits doubt = hn::Zero(DU());
-    const float w = meet_edge(plane, leave_in, leave_out, d_leave, cut, doubt);
-    const float next_w = meet_edge(plane, enter_in, enter_out, d_enter, cut + stride, doubt);
+    const V w = meet_edge(plane, leave_in, leave_out, d_leave, cut, doubt);
+    const V next_w = meet_edge(plane, enter_in, enter_out, d_enter, cut + stride, doubt);
     const bool certain = !kCertain || hn::AllTrue(DU(), hn::Eq(doubt, hn::Zero(DU())));
     return certain && w > 0 && next_w > 0 ? order.inside + 2 : kGiveUp;
   }
 
   // Pre-condition: the cut has three corners or more.
-  HWY_INLINE int write(const barycentric::CutTriangle& cut, const Straddler& s, float* out) const {
+  template <class V>
+  HWY_NOINLINE int write(const barycentric::CutTriangle& cut, const Straddler<V>& s, V* out) const {
     int kept = 0;
     for (const barycentric::Corner& corner : cut.corners) {
-      float* v = out + kept * shape.floats();
+      V* v = out + kept * shape.floats();
       const int own = barycentric::own_vertex(corner.at);
       if (own >= 0) {
         copy_vertex(shape, s.vertex[own], v);
@@ -88,8 +90,9 @@ struct FromOriginals {
   }
 
   // Of the edge and the plane; returns w.
-  HWY_INLINE float meet_edge(const CodePlane& plane, const float* in, const float* out_vertex,
-                             double d_in, float* out, Bits& doubt) const {
+  template <class V>
+  HWY_INLINE V meet_edge(const CodePlane& plane, const V* in, const V* out_vertex, double d_in,
+                         V* out, Bits& doubt) const {
     const double of_in = -distance<double>(plane, out_vertex), of_out = d_in;
     const D d;
     const auto l_in = hn::Set(d, of_in), l_out = hn::Set(d, of_out),
@@ -107,15 +110,16 @@ struct FromOriginals {
         store(d, q, out + i);
       }
     }
-    const float w = out[3];
-    out[plane.axis] = plane.w_weight == 0 ? 0 : -plane.c_weight * w;
+    const V w = out[3];
+    out[plane.axis] = plane.w_weight == 0 ? V(0) : -plane.c_weight * w;
     return w;
   }
 
   // sum lambda_i v_i / sum lambda_i with the bound of exact_lines.hpp, `rounded_quotient`. Whether that is
   // certain.
-  HWY_INLINE bool write_meeting(const barycentric::Meeting& m, const Straddler& s,
-                                float* out) const {
+  template <class V>
+  HWY_INLINE bool write_meeting(const barycentric::Meeting& m, const Straddler<V>& s,
+                                V* out) const {
     const barycentric::Bounded sum = barycentric::dot(m, barycentric::kOnes);
     if (kCertain && !(sum.value > 0x1p20 * sum.error)) return false;
     const double reciprocal = 1 / sum.value;
@@ -154,11 +158,12 @@ struct FromOriginals {
     return (barycentric::planes_of(m) & bit(zero)) != 0;
   }
 
-  HWY_INLINE void set_on_planes(const barycentric::Meeting& m, float* out) const {
+  template <class V>
+  HWY_INLINE void set_on_planes(const barycentric::Meeting& m, V* out) const {
     for (const Plane plane : kAllPlanes) {
       if ((barycentric::planes_of(m) & bit(plane)) == 0) continue;
       const auto [axis, bound] = barycentric::plane_form(depth, plane);
-      out[axis] = bound == 0 ? 0 : bound * out[3];
+      out[axis] = bound == 0 ? V(0) : bound * out[3];
     }
   }
 };

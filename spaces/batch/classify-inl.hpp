@@ -32,45 +32,77 @@ static_assert(hn::MaxLanes(D4()) == 4);
 inline constexpr float kLargest = std::numeric_limits<float>::max();
 inline constexpr float kLeast = std::numeric_limits<float>::denorm_min();
 
-// What (x, y, z, w) and its negative are compared with: w where `keep` has ones, else `fill`.
+// Clip space: (x, y, z, w) and its negative are compared with w where `keep` has ones, else with `fill`.
 // Lane 3: w <= FLT_MAX, it is finite. Lane 7: -w <= -FLT_TRUE_MIN, it is positive. Lane 6, for depth from
 // 0 on: -z <= 0.
-struct alignas(32) Limits {
+struct alignas(32) ClipLimits {
   std::uint32_t keep[8] = {~0u, ~0u, ~0u, 0, ~0u, ~0u, ~0u, 0};
   float fill[8] = {0, 0, 0, kLargest, 0, 0, 0, -kLeast};
   float negative[8] = {0, 0, 0, 0, -0.0f, -0.0f, -0.0f, -0.0f};
 
-  explicit Limits(DepthRange depth) {
+  explicit ClipLimits(DepthRange depth) {
     if (depth != DepthRange::minus_one_to_one) keep[6] = 0;
+  }
+
+  // Which comparisons of lanes lane, lane + 1, … the vertex at v passes.
+  template <class D>
+  HWY_INLINE hn::Mask<D> passes(D d, const float* v, std::size_t lane) const {
+    const hn::RebindToUnsigned<D> du;
+    const auto p = hn::LoadDup128(d, v);
+    const auto w = hn::Broadcast<3>(p);
+    const auto limit =
+        hn::Or(hn::And(w, hn::BitCast(d, hn::Load(du, keep + lane))), hn::Load(d, fill + lane));
+    return hn::Le(hn::Xor(p, hn::Load(d, negative + lane)), limit);
   }
 };
 
-template <class D>
-HWY_INLINE hn::Mask<D> passes(D d, const Limits& limits, const float* v, std::size_t lane) {
-  const hn::RebindToUnsigned<D> du;
-  const auto p = hn::LoadDup128(d, v);
-  const auto w = hn::Broadcast<3>(p);
-  const auto keep = hn::BitCast(d, hn::Load(du, limits.keep + lane));
-  const auto limit = hn::Or(hn::And(w, keep), hn::Load(d, limits.fill + lane));
-  return hn::Le(hn::Xor(p, hn::Load(d, limits.negative + lane)), limit);
-}
+// View space, of vertices (x, y, z, 1): the signed distances of all planes, own c + z_weight z + constant for
+// coordinate c of each lane, as `view_distance` has them. Lanes 3 and 7 pass always.
+struct alignas(32) ViewLimits {
+  float own[8] = {}, z_weight[8] = {}, constant[8] = {};
+
+  explicit ViewLimits(const std::array<ViewCodePlane, kPlanes>& planes) {
+    for (const ViewCodePlane& plane : planes) {
+      own[plane.bit] = plane.own;
+      z_weight[plane.bit] = plane.z_weight;
+      constant[plane.bit] = plane.constant;
+    }
+  }
+
+  template <class D>
+  HWY_INLINE hn::Mask<D> passes(D d, const float* v, std::size_t lane) const {
+    const auto p = hn::LoadDup128(d, v);
+    const auto sum = hn::Add(hn::Mul(hn::Load(d, own + lane), p),
+                             hn::Mul(hn::Load(d, z_weight + lane), hn::Broadcast<2>(p)));
+    return hn::Le(hn::Zero(d), hn::Add(sum, hn::Load(d, constant + lane)));
+  }
+};
 
 template <class D>
 HWY_INLINE unsigned mask_bits(D d, hn::Mask<D> mask) {
   std::uint8_t bits[8] = {0};
   hn::StoreMaskBits(d, mask, bits);
-  return bits[0];
+  return static_cast<unsigned>(bits[0]) | static_cast<unsigned>(bits[1]) << 8;
 }
 
-// The code of a vertex at v.
+// The code of a vertex at v. Limits: ClipLimits or ViewLimits.
+template <class Limits>
 HWY_INLINE unsigned vertex_code(const Limits& limits, const float* v) {
   if constexpr (kHas8) {
-    return ~mask_bits(kD8, passes(kD8, limits, v, 0)) & 0xFF;
+    return ~mask_bits(kD8, limits.passes(kD8, v, 0)) & 0xFF;
   } else {
-    return ~(mask_bits(kD4, passes(kD4, limits, v, 0)) | mask_bits(kD4, passes(kD4, limits, v, 4))
-                                                             << 4) &
-           0xFF;
+    const unsigned upper = mask_bits(kD4, limits.passes(kD4, v, 0)),
+                   lower = mask_bits(kD4, limits.passes(kD4, v, 4));
+    return ~(upper | lower << 4) & 0xFF;
   }
+}
+
+// The same for doubles. Pre-condition: they are finite.
+HWY_INLINE unsigned vertex_code(const ClipLimits& limits, const double* v) {
+  const double w = v[3], lowest_z = limits.keep[6] != 0 ? -w : 0.0;
+  const auto set = [](bool outside, int at) { return static_cast<unsigned>(outside) << at; };
+  return set(v[0] > w, 0) | set(v[1] > w, 1) | set(v[2] > w, 2) | set(v[0] < -w, 4) |
+         set(v[1] < -w, 5) | set(v[2] < lowest_z, 6) | set(!(w > 0), 7);
 }
 
 // Of three vertices: `all` has the bits that all of them have, `any` those that some have.
@@ -78,15 +110,16 @@ struct Codes {
   unsigned all, any;
 };
 
-template <class D>
+template <class D, class Limits>
 HWY_INLINE Codes triangle_codes_from(D d, const Limits& limits, const float* v, std::size_t stride,
                                      std::size_t lane) {
-  const auto a = passes(d, limits, v, lane), b = passes(d, limits, v + stride, lane),
-             c = passes(d, limits, v + 2 * stride, lane);
+  const auto a = limits.passes(d, v, lane), b = limits.passes(d, v + stride, lane),
+             c = limits.passes(d, v + 2 * stride, lane);
   const auto every = hn::And(a, hn::And(b, c)), some = hn::Or(a, hn::Or(b, c));
   return {mask_bits(d, some), mask_bits(d, every)};
 }
 
+template <class Limits>
 HWY_INLINE Codes triangle_codes(const Limits& limits, const float* v, std::size_t stride) {
   if constexpr (kHas8) {
     const Codes pass = triangle_codes_from(kD8, limits, v, stride, 0);
@@ -96,6 +129,12 @@ HWY_INLINE Codes triangle_codes(const Limits& limits, const float* v, std::size_
                 lower = triangle_codes_from(kD4, limits, v, stride, 4);
     return {~(upper.all | lower.all << 4) & 0xFF, ~(upper.any | lower.any << 4) & 0xFF};
   }
+}
+
+HWY_INLINE Codes triangle_codes(const ClipLimits& limits, const double* v, std::size_t stride) {
+  const unsigned a = vertex_code(limits, v), b = vertex_code(limits, v + stride),
+                 c = vertex_code(limits, v + 2 * stride);
+  return {a & b & c, a | b | c};
 }
 
 // Which triangles of a block are not rejected, in order, and the bits that some of their vertices have.
@@ -113,8 +152,10 @@ struct Survivors {
 };
 
 // Triangles whose vertices lie one after the other, so many floats apart.
-HWY_INLINE void classify_block(const Limits& limits, const float* v, std::size_t stride,
+template <class Limits, class V>
+HWY_INLINE void classify_block(const Limits& limits, const V* v, std::size_t stride,
                                std::size_t triangles, Survivors& out) {
+  out.count = 0;
   for (std::size_t t = 0; t < triangles; ++t) {
     out.add(t, triangle_codes(limits, v + 3 * t * stride, stride));
   }

@@ -60,20 +60,28 @@ HWY_INLINE void store(D d, hn::Vec<D> v, To* p) {
   }
 }
 
-// Whether the three positions are finite, and so far from the largest float that no difference or sum of
+// Whether the three positions are finite, and so far from the largest number that no difference or sum of
 // two products with weights in [0, 1] overflows.
-HWY_INLINE bool is_moderate(const float* const v[3]) {
-  const auto most = hn::Set(kD4, kLargest / 4);
-  const auto ok = hn::And(hn::Le(hn::Abs(hn::LoadU(kD4, v[0])), most),
-                          hn::And(hn::Le(hn::Abs(hn::LoadU(kD4, v[1])), most),
-                                  hn::Le(hn::Abs(hn::LoadU(kD4, v[2])), most)));
-  return hn::AllTrue(kD4, ok);
+template <class V>
+HWY_INLINE bool is_moderate(const V* const v[3]) {
+  const hn::CappedTag<V, 4> d;
+  const auto most = hn::Set(d, std::numeric_limits<V>::max() / 4);
+  bool ok = true;
+  for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
+    const auto at = [&](int k) { return hn::Le(hn::Abs(hn::LoadU(d, v[k] + i)), most); };
+    ok = ok && hn::AllTrue(d, hn::And(at(0), hn::And(at(1), at(2))));
+  }
+  return ok;
 }
 
 // The signed distance in T of a vertex to a plane.
-template <class T, class U>
-HWY_INLINE T distance(const CodePlane& plane, const U* v) {
+template <class T, class V>
+HWY_INLINE T distance(const CodePlane& plane, const V* v) {
   return T(plane.w_weight) * T(v[3]) + T(plane.c_weight) * T(v[plane.axis]);
+}
+template <class T, class V>
+HWY_INLINE T distance(const ViewCodePlane& plane, const V* v) {
+  return T(plane.own) * T(v[plane.axis]) + T(plane.z_weight) * T(v[2]) + T(plane.constant);
 }
 
 // A triangle that one plane cuts: the inside vertices in order, then the edge that leaves the inside and the
@@ -93,22 +101,24 @@ inline constexpr OnePlane kOnePlane[7] = {{},
                                           {0, 0, 1, 0, 1, 0, 2}};
 
 // A vertex to the output. Whole vectors may be written: what is behind is written later.
-template <class S, class From>
-HWY_INLINE void copy_vertex(const S& shape, const From* v, float* out) {
+template <class S, class From, class To>
+HWY_INLINE void copy_vertex(const S& shape, const From* v, To* out) {
   const LanesOf<From, S> d;
-  for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d))
+  for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
     store(d, hn::LoadU(d, v + i), out + i);
+  }
 }
 
-// Three vertices of the input that lie one after the other.
-template <class S>
-HWY_INLINE void copy_triangle(const S& shape, const float* v, float* out) {
+// Three vertices that lie one after the other.
+template <class S, class V>
+HWY_INLINE void copy_triangle(const S& shape, const V* v, V* out) {
   if constexpr (S::kLoadsInPlace) {
-    const LanesOf<float, S> d;
-    for (std::size_t i = 0; i < 3 * S::kWidth; i += hn::Lanes(d))
+    const LanesOf<V, S> d;
+    for (std::size_t i = 0; i < 3 * S::kWidth; i += hn::Lanes(d)) {
       hn::StoreU(hn::LoadU(d, v + i), d, out + i);
+    }
   } else {
-    std::memcpy(out, v, 3 * shape.floats() * sizeof(float));
+    std::memcpy(out, v, 3 * shape.floats() * sizeof(V));
   }
 }
 
@@ -126,8 +136,9 @@ HWY_INLINE void meet(const S& shape, const From* a, const From* b, T t, To* out)
 inline constexpr int kGiveUp = -1;
 
 // A triangle that some plane cuts: its vertices, whole vectors readable, and their codes.
+template <class V>
 struct Straddler {
-  const float* vertex[3];
+  const V* vertex[3];
   unsigned code[3];
   unsigned any;
 
@@ -137,26 +148,19 @@ struct Straddler {
   }
 };
 
-// The bits of the planes that a vertex of doubles is outside of. Pre-condition: it is finite.
-HWY_INLINE unsigned vertex_code(const Limits& limits, const double* v) {
-  const double w = v[3], lowest_z = limits.keep[6] != 0 ? -w : 0.0;
-  return static_cast<unsigned>(v[0] > w) | static_cast<unsigned>(v[1] > w) << 1 |
-         static_cast<unsigned>(v[2] > w) << 2 | static_cast<unsigned>(v[0] < -w) << 4 |
-         static_cast<unsigned>(v[1] < -w) << 5 | static_cast<unsigned>(v[2] < lowest_z) << 6;
-}
-
-// Sutherland-Hodgman in T, float or double. Both functions write the polygon to `out` and return how
-// many vertices it has, or kGiveUp.
-template <class T, class S>
+// Sutherland-Hodgman in T, float or double, of vertices of V in a space with its limits and planes. Both
+// functions write the polygon to `out` and return how many vertices it has, or kGiveUp.
+template <class T, class S, class Limits, class Plane>
 struct Chain {
   const S& shape;
   const Limits& limits;
-  const std::array<CodePlane, kPlanes>& planes;
+  const std::array<Plane, kPlanes>& planes;
 
-  HWY_INLINE int cut_one_plane(const Straddler& s, const CodePlane& plane, float* out) const {
+  template <class V, class To>
+  HWY_INLINE int cut_one_plane(const Straddler<V>& s, const Plane& plane, To* out) const {
     const OnePlane& order = kOnePlane[s.outside(plane.bit)];
-    const float *leave_in = s.vertex[order.leave_in], *leave_out = s.vertex[order.leave_out],
-                *enter_in = s.vertex[order.enter_in], *enter_out = s.vertex[order.enter_out];
+    const V *leave_in = s.vertex[order.leave_in], *leave_out = s.vertex[order.leave_out],
+            *enter_in = s.vertex[order.enter_in], *enter_out = s.vertex[order.enter_out];
     const T d_leave = distance<T>(plane, leave_in), d_enter = distance<T>(plane, enter_in);
     if (d_leave == 0 || d_enter == 0) return kGiveUp;  // an inside vertex on the plane
     const T leave = d_leave / (d_leave - distance<T>(plane, leave_out)),
@@ -164,21 +168,22 @@ struct Chain {
     const std::size_t stride = shape.floats();
     copy_vertex(shape, s.vertex[order.first], out);
     copy_vertex(shape, s.vertex[order.second], out + stride);
-    float* cut = out + order.inside * stride;
+    To* cut = out + order.inside * stride;
     meet<T>(shape, leave_in, leave_out, leave, cut);
-    const float w = cut[3];
+    const To w = cut[3];
     meet<T>(shape, enter_in, enter_out, enter, cut + stride);
     return w > 0 && cut[stride + 3] > 0 ? order.inside + 2 : kGiveUp;
   }
 
-  HWY_INLINE int cut_planes(const Straddler& s, float* out) const {
+  template <class V, class To>
+  HWY_NOINLINE int cut_planes(const Straddler<V>& s, To* out) const {
     Pool pool;
     for (int i = 0; i < 3; ++i) {
       load_vertex(s.vertex[i], pool.vertex[i]);
       pool.code[i] = s.code[i];
     }
     List list{{0, 1, 2}, 3};
-    for (const CodePlane& plane : planes) {
+    for (const Plane& plane : planes) {
       if ((s.any >> plane.bit & 1) == 0) continue;
       if (!cut(plane, pool, list)) return kGiveUp;
     }
@@ -206,14 +211,15 @@ struct Chain {
     int size;
   };
 
-  HWY_INLINE void load_vertex(const float* v, T* out) const {
+  template <class V>
+  HWY_INLINE void load_vertex(const V* v, T* out) const {
     const LanesOf<T, S> d;
     for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d))
       hn::Store(load(d, v + i), d, out + i);
   }
 
   // Whether the outside vertices were one run.
-  HWY_INLINE bool cut(const CodePlane& plane, Pool& pool, List& list) const {
+  bool cut(const Plane& plane, Pool& pool, List& list) const {
     const int n = list.size;
     unsigned outside = 0;
     for (int i = 0; i < n; ++i) outside |= (pool.code[list.at[i]] >> plane.bit & 1) << i;
@@ -236,7 +242,7 @@ struct Chain {
   }
 
   // The edge's meeting with the plane, unless its inside end lies on it.
-  HWY_INLINE void add_cut(const CodePlane& plane, int in, int out, Pool& pool, List& list) const {
+  HWY_NOINLINE void add_cut(const Plane& plane, int in, int out, Pool& pool, List& list) const {
     const T d_in = distance<T>(plane, pool.vertex[in]);
     if (d_in == 0) return;
     const T d_out = distance<T>(plane, pool.vertex[out]);

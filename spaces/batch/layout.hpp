@@ -97,6 +97,27 @@ constexpr std::array<CodePlane, kPlanes> code_planes(DepthRange depth) {
           CodePlane{0, 0, 1, -1},    CodePlane{5, 1, 1, 1},     CodePlane{1, 1, 1, -1}};
 }
 
+// The same in view space, of vertices (x, y, z, 1): own c + z_weight z + constant, with the bits of
+// `view_distance`, in the order in which view/sutherland_hodgman cuts. An infinite far plane is the constant 1.
+struct ViewCodePlane {
+  int bit, axis;
+  float own, z_weight, constant;
+};
+
+constexpr std::array<ViewCodePlane, kPlanes> view_code_planes(const Frustum<float>& f) {
+  const bool perspective = f.kind == ProjectionKind::perspective;
+  const auto side = [&](int bit, int axis, float sign, float bound, float shear) {
+    if (perspective) return ViewCodePlane{bit, axis, sign * f.near, sign * bound, 0};
+    return ViewCodePlane{bit, axis, sign, sign * shear, -sign * bound};
+  };
+  return {side(4, 0, 1, f.left, f.shear_x),
+          side(0, 0, -1, f.right, f.shear_x),
+          side(5, 1, 1, f.bottom, f.shear_y),
+          side(1, 1, -1, f.top, f.shear_y),
+          ViewCodePlane{6, 2, -1, 0, -f.near},
+          f.infinite_far ? ViewCodePlane{2, 2, 0, 0, 1} : ViewCodePlane{2, 2, 1, 0, f.far}};
+}
+
 // A vertex of 4 + K floats, or 4 + attributes for K = kRunTime, from and to memory.
 template <int K>
 ClipVertex<float, K> read_vertex(const float* v, int attributes) {

@@ -56,58 +56,87 @@ inline int side(const barycentric::Meeting& m, const barycentric::Line& line, Ro
   return (d > 0) - (d < 0);
 }
 
+// The corners of the part inside, by such signs; whether there are three or more.
+template <std::floating_point V, int K>
+bool cut_by_rounded_signs(const ClipVolume& volume, const ClipTriangle<V, K>& triangle,
+                          barycentric::CutTriangle& cut) {
+  if (!has_finite_positions(triangle)) return false;
+  const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
+    return clip_outcode(volume.depth, triangle[i].position);
+  });
+  if (code.all != 0) return false;
+  const auto values = [&](auto&& of) {
+    return barycentric::Values{of(triangle[0]), of(triangle[1]), of(triangle[2])};
+  };
+  const auto row_of = [&](Plane plane) {
+    if (is_clip_distance(plane)) {
+      const int k = clip_distance_index(plane);
+      return barycentric::Line{
+          values([k](const ClipVertex<V, K>& v) { return v.attributes[k]; }), {}, bit(plane)};
+    }
+    const barycentric::PlaneForm form = barycentric::plane_form(volume.depth, plane);
+    return barycentric::clip_row(
+        form, plane, values([&](const ClipVertex<V, K>& v) { return v.position[form.axis]; }),
+        values([](const ClipVertex<V, K>& v) { return v.position[3]; }));
+  };
+  RoundedSigns signs;
+  barycentric::cut_triangle(code.any, row_of, cut, signs);
+  return cut.corners.size() >= 3;
+}
+
 // sum lambda_i v_i / sum lambda_i, +0 if it is 0. A vertex without weight takes no part.
-inline float weighted_mean(const barycentric::Meeting& m, const std::array<float, 3>& v,
-                           double reciprocal) {
+template <std::floating_point V>
+V weighted_mean(const barycentric::Meeting& m, const std::array<V, 3>& v, double reciprocal) {
   double sum = 0;
   for (int i = 0; i < 3; ++i) {
     if (m.magnitude[i] != 0) sum += m.lambda[i] * static_cast<double>(v[i]);
   }
-  return static_cast<float>(sum * reciprocal);
+  return static_cast<V>(sum * reciprocal);
 }
 
 // Where the meeting lies on a plane by construction, its coordinate or clip distance is set.
-template <int K>
-void set_on_planes(DepthRange depth, const barycentric::Meeting& m, ClipVertex<float, K>& v) {
+template <std::floating_point V, int K>
+void set_on_planes(DepthRange depth, const barycentric::Meeting& m, ClipVertex<V, K>& v) {
   for_each_plane(barycentric::planes_of(m), kAllPlanes, [&](Plane plane) {
     if (is_clip_distance(plane)) {
       v.attributes[clip_distance_index(plane)] = 0;
       return;
     }
     const auto [axis, bound] = barycentric::plane_form(depth, plane);
-    v.position[axis] = bound == 0 ? 0 : bound * v.position[3];
+    v.position[axis] = bound == 0 ? V(0) : bound * v.position[3];
   });
 }
 
-// Every new vertex from the three own ones in double, rounded to float; a coordinate on its plane is set.
-template <int K>
-void clip_barycentric(const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
-                      ClipPolygon<float, K>& out) {
+template <std::floating_point V, int K>
+ClipVertex<V, K> mean_vertex(DepthRange depth, const barycentric::Meeting& m,
+                             const ClipTriangle<V, K>& triangle) {
+  const double reciprocal = 1 / barycentric::dot(m, barycentric::kOnes).value;
+  const auto mean = [&](const auto& of) {
+    return weighted_mean<V>(m, {of(triangle[0]), of(triangle[1]), of(triangle[2])}, reciprocal);
+  };
+  ClipVertex<V, K> v = triangle[0];
+  for (int c = 0; c < 4; ++c) {
+    v.position[c] = mean([c](const ClipVertex<V, K>& p) { return p.position[c]; });
+  }
+  for (int k = 0; k < v.attributes.size(); ++k) {
+    v.attributes[k] = mean([k](const ClipVertex<V, K>& p) { return p.attributes[k]; });
+  }
+  set_on_planes(depth, m, v);
+  return v;
+}
+
+// Every new vertex from the three own ones in double, rounded to V; a coordinate on its plane is set.
+template <std::floating_point V, int K>
+void clip_barycentric(const ClipVolume& volume, const ClipTriangle<V, K>& triangle,
+                      ClipPolygon<V, K>& out) {
   out.clear();
   barycentric::CutTriangle cut;
-  RoundedSigns signs;
-  if (!barycentric::cut_clip_triangle(volume, triangle, barycentric::clip_coordinates(triangle),
-                                      cut, signs)) {
-    return;
-  }
+  if (!cut_by_rounded_signs(volume, triangle, cut)) return;
   for (const barycentric::Corner& corner : cut.corners) {
-    const barycentric::Meeting& m = corner.at;
-    const int own = barycentric::own_vertex(m);
-    ClipVertex<float, K> v = triangle[std::max(own, 0)];
-    if (own < 0) {
-      const double reciprocal = 1 / barycentric::dot(m, barycentric::kOnes).value;
-      const auto mean = [&](const auto& of) {
-        return weighted_mean(m, {of(triangle[0]), of(triangle[1]), of(triangle[2])}, reciprocal);
-      };
-      for (int c = 0; c < 4; ++c) {
-        v.position[c] = mean([c](const ClipVertex<float, K>& p) { return p.position[c]; });
-      }
-      for (int k = 0; k < v.attributes.size(); ++k) {
-        v.attributes[k] = mean([k](const ClipVertex<float, K>& p) { return p.attributes[k]; });
-      }
-      set_on_planes(volume.depth, m, v);
-    }
-    if (0 < v.position[3]) out.push_back(v);
+    const int own = barycentric::own_vertex(corner.at);
+    const ClipVertex<V, K> v =
+        own >= 0 ? triangle[own] : mean_vertex(volume.depth, corner.at, triangle);
+    if (V(0) < v.position[3]) out.push_back(v);
   }
   out.drop_if_degenerate();
 }

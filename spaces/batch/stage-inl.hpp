@@ -14,34 +14,43 @@
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
 
-// Cuts one triangle at a time by a method.
-template <Method kMethod, int K>
+// Cuts one triangle of a space at a time by a method. The vertices are of V, and so is what comes out.
+template <Method kMethod, int K, class V>
 class Cutter {
+  static constexpr bool kIsView = kMethod == Method::view;
+
  public:
   using S = Shape<K>;
+  using Limits = std::conditional_t<kIsView, ViewLimits, ClipLimits>;
+  using CutPlane = std::conditional_t<kIsView, ViewCodePlane, CodePlane>;
 
-  Cutter(const ClipVolume& volume, int attributes)
+  Cutter(DepthRange depth, int attributes)
+      : shape{attributes}, limits(depth), depth_(depth), planes_(code_planes(depth)) {
+    index_planes();
+  }
+  Cutter(const Frustum<float>& frustum, int attributes)
       : shape{attributes},
-        limits(volume.depth),
-        volume_(volume),
-        planes_(code_planes(volume.depth)) {
-    for (const CodePlane& plane : planes_) by_bit_[plane.bit] = plane;
+        limits(view_code_planes(frustum)),
+        depth_(frustum.depth),
+        planes_(view_code_planes(frustum)) {
+    index_planes();
   }
 
   const S shape;
   const Limits limits;
 
-  // Vertices written to `out`. any: the bits that some vertex has; not 0.
-  HWY_INLINE int cut(const float* const vertex[3], unsigned any, float* out, Tally& tally) const {
+  // Vertices written to `out`, or kGiveUp: then the plain version has to do it. any: the bits that some
+  // vertex has; not 0.
+  HWY_INLINE int cut(const V* const vertex[3], unsigned any, V* out, Tally& tally) const {
+    int count = kGiveUp;
     if (!is_moderate(vertex)) {
       ++tally.plain;
-      return cut_plainly(vertex, out);
+      return kGiveUp;
     }
-    Straddler s{{vertex[0], vertex[1], vertex[2]},
-                {vertex_code(limits, vertex[0]), vertex_code(limits, vertex[1]),
-                 vertex_code(limits, vertex[2])},
-                any};
-    int count;
+    const Straddler<V> s{{vertex[0], vertex[1], vertex[2]},
+                         {vertex_code(limits, vertex[0]), vertex_code(limits, vertex[1]),
+                          vertex_code(limits, vertex[2])},
+                         any};
     if ((any & kPlaneBits) != 0 && (any & (any - 1)) == 0) {
       count = cut_one_plane(s, by_bit_[std::countr_zero(any)], out);
       tally.one_plane += count != kGiveUp;
@@ -49,38 +58,42 @@ class Cutter {
       count = cut_planes(s, out);
       tally.planes += count != kGiveUp;
     }
-    if (count != kGiveUp) return count;
-    ++(kMethod == Method::correctly_rounded ? tally.exact : tally.plain);
-    return cut_plainly(vertex, out);
+    if (count == kGiveUp) ++(kMethod == Method::correctly_rounded ? tally.exact : tally.plain);
+    return count;
   }
 
  private:
   static constexpr bool kIsChain =
-      kMethod == Method::homogeneous || kMethod == Method::homogeneous_double;
-  using T = std::conditional_t<kMethod == Method::homogeneous, float, double>;
+      kIsView || kMethod == Method::homogeneous || kMethod == Method::homogeneous_double;
+  using T = std::conditional_t<kMethod == Method::homogeneous_double, double, V>;
+  using ChainOf = Chain<T, S, Limits, CutPlane>;
   using Originals = FromOriginals<kMethod == Method::correctly_rounded, S>;
 
-  HWY_INLINE int cut_one_plane(const Straddler& s, const CodePlane& plane, float* out) const {
+  void index_planes() {
+    for (const CutPlane& plane : planes_) by_bit_[plane.bit] = plane;
+  }
+
+  HWY_INLINE int cut_one_plane(const Straddler<V>& s, const CutPlane& plane, V* out) const {
     if constexpr (kIsChain) {
-      return Chain<T, S>{shape, limits, planes_}.cut_one_plane(s, plane, out);
+      return ChainOf{shape, limits, planes_}.cut_one_plane(s, plane, out);
     } else {
-      return Originals{shape, volume_.depth}.cut_one_plane(s, plane, out);
+      return Originals{shape, depth_}.cut_one_plane(s, plane, out);
     }
   }
 
-  HWY_INLINE int cut_planes(const Straddler& s, float* out) const {
+  HWY_INLINE int cut_planes(const Straddler<V>& s, V* out) const {
     if constexpr (kIsChain) {
-      return Chain<T, S>{shape, limits, planes_}.cut_planes(s, out);
+      return ChainOf{shape, limits, planes_}.cut_planes(s, out);
     } else {
       barycentric::CutTriangle cut;
       if (!cut_corners(s, cut)) return 0;
-      return Originals{shape, volume_.depth}.write(cut, s, out);
+      return Originals{shape, depth_}.write(cut, s, out);
     }
   }
 
-  HWY_NOINLINE bool cut_corners(const Straddler& s, barycentric::CutTriangle& cut) const {
+  HWY_NOINLINE bool cut_corners(const Straddler<V>& s, barycentric::CutTriangle& cut) const {
     const auto row_of = [&](Plane plane) {
-      const barycentric::PlaneForm form = barycentric::plane_form(volume_.depth, plane);
+      const barycentric::PlaneForm form = barycentric::plane_form(depth_, plane);
       barycentric::Values c, w;
       for (int i = 0; i < 3; ++i) {
         c[i] = s.vertex[i][form.axis];
@@ -103,38 +116,26 @@ class Cutter {
     return code;
   }
 
-  HWY_NOINLINE int cut_plainly(const float* const vertex[3], float* out) const {
-    ClipTriangle<float, K> triangle;
-    for (int i = 0; i < 3; ++i) {
-      triangle[i] = read_vertex<K>(vertex[i], shape.attributes);
-    }
-    ClipPolygon<float, K> polygon;
-    clip_plain(kMethod, volume_, triangle, polygon);
-    write_polygon(polygon, out);
-    return polygon.size();
-  }
-
-  const ClipVolume volume_;
-  const std::array<CodePlane, kPlanes> planes_;
-  std::array<CodePlane, 8> by_bit_{};
+  const DepthRange depth_;
+  const std::array<CutPlane, kPlanes> planes_;
+  std::array<CutPlane, 8> by_bit_{};
 };
 
 // A triangle's vertices as whole vectors: those of the input, or copies with zeros behind.
-template <class S>
+template <class S, class V = float>
 class Padded {
  public:
-  const float* vertex[3];
+  const V* vertex[3];
 
-  // Three vertices at pointers of the user's.
-  HWY_INLINE void set(const S& shape, const float* a, const float* b, const float* c) {
+  HWY_INLINE void set(const S& shape, const V* a, const V* b, const V* c) {
     if constexpr (S::kLoadsInPlace) {
       vertex[0] = a;
       vertex[1] = b;
       vertex[2] = c;
     } else {
-      const float* from[3] = {a, b, c};
+      const V* from[3] = {a, b, c};
       for (int i = 0; i < 3; ++i) {
-        std::memcpy(memory_[i], from[i], shape.floats() * sizeof(float));
+        std::memcpy(memory_[i], from[i], shape.floats() * sizeof(V));
         vertex[i] = memory_[i];
       }
     }
@@ -152,18 +153,43 @@ class Padded {
   }
 
  private:
-  HWY_ALIGN float memory_[3][S::kWidth] = {};
+  HWY_ALIGN V memory_[3][S::kWidth] = {};
 };
 
-template <class Cut>
-HWY_INLINE void cut_into(const Cut& cutter, const float* const vertex[3], unsigned any,
-                         std::size_t triangle, Writer& writer, Tally& tally) {
-  writer.add(triangle, cutter.cut(vertex, any, writer.next, tally));
-}
+// The stage's cutter, with the plain version behind it.
+template <Method kMethod, int K>
+class StageCutter : public Cutter<kMethod, K, float> {
+  using Base = Cutter<kMethod, K, float>;
+
+ public:
+  StageCutter(const ClipVolume& volume, int attributes)
+      : Base(volume.depth, attributes), volume_(volume) {}
+
+  HWY_INLINE void cut_into(const float* const vertex[3], unsigned any, std::size_t triangle,
+                           Writer& writer, Tally& tally) const {
+    int count = Base::cut(vertex, any, writer.next, tally);
+    if (count == kGiveUp) count = cut_plainly(vertex, writer.next);
+    writer.add(triangle, count);
+  }
+
+ private:
+  HWY_NOINLINE int cut_plainly(const float* const vertex[3], float* out) const {
+    ClipTriangle<float, K> triangle;
+    for (int i = 0; i < 3; ++i) {
+      triangle[i] = read_vertex<K>(vertex[i], Base::shape.attributes);
+    }
+    ClipPolygon<float, K> polygon;
+    clip_plain(kMethod, volume_, triangle, polygon);
+    write_polygon(polygon, out);
+    return polygon.size();
+  }
+
+  const ClipVolume volume_;
+};
 
 template <Method kMethod, int K>
 void clip_copy(const ClipVolume& volume, const VertexArray& in, Output& out) {
-  const Cutter<kMethod, K> cutter(volume, in.attributes);
+  const StageCutter<kMethod, K> cutter(volume, in.attributes);
   const OutputAccess access{out};
   access.begin(in.attributes);
   Padded<Shape<K>> padded;
@@ -172,7 +198,6 @@ void clip_copy(const ClipVolume& volume, const VertexArray& in, Output& out) {
   for (std::size_t first = 0; first < triangles; first += kBlock) {
     const std::size_t count = std::min(kBlock, triangles - first);
     const float* block = in.data + first * 3 * stride;
-    survivors.count = 0;
     classify_block(cutter.limits, block, stride, count, survivors);
     Writer writer = access.block(survivors.count);
     Tally& tally = access.tally();
@@ -186,7 +211,7 @@ void clip_copy(const ClipVolume& volume, const VertexArray& in, Output& out) {
         ++tally.inside;
       } else {
         padded.set(cutter.shape, v, v + stride, v + 2 * stride);
-        cut_into(cutter, padded.vertex, survivors.any[i], first + t, writer, tally);
+        cutter.cut_into(padded.vertex, survivors.any[i], first + t, writer, tally);
       }
     }
     access.commit(writer);
@@ -196,7 +221,7 @@ void clip_copy(const ClipVolume& volume, const VertexArray& in, Output& out) {
 // Classifies triangles [first, first + count) in whole vectors, and returns how many that are: numbers of those
 // inside go to the writer, others that survive, counted from `first`, to the list.
 template <class D>
-HWY_INLINE std::size_t classify_streams(D d, const Limits& limits, const TriangleStreams& in,
+HWY_INLINE std::size_t classify_streams(D d, const ClipLimits& limits, const TriangleStreams& in,
                                         std::size_t first, std::size_t count, Writer& writer,
                                         Survivors& out) {
   const hn::RebindToUnsigned<D> du;
@@ -237,7 +262,7 @@ HWY_INLINE std::size_t classify_streams(D d, const Limits& limits, const Triangl
 }
 
 // The bits that some of three vertices have, and those that all have.
-HWY_INLINE Codes codes_of(const Limits& limits, const float* const vertex[3]) {
+HWY_INLINE Codes codes_of(const ClipLimits& limits, const float* const vertex[3]) {
   const unsigned a = vertex_code(limits, vertex[0]), b = vertex_code(limits, vertex[1]),
                  c = vertex_code(limits, vertex[2]);
   return {a & b & c, a | b | c};
@@ -245,7 +270,7 @@ HWY_INLINE Codes codes_of(const Limits& limits, const float* const vertex[3]) {
 
 template <Method kMethod, int K>
 void clip_reference(const ClipVolume& volume, const TriangleStreams& in, Output& out) {
-  const Cutter<kMethod, K> cutter(volume, in.attribute_count);
+  const StageCutter<kMethod, K> cutter(volume, in.attribute_count);
   const OutputAccess access{out};
   access.begin(in.attribute_count);
   Padded<Shape<K>> padded;
@@ -271,7 +296,7 @@ void clip_reference(const ClipVolume& volume, const TriangleStreams& in, Output&
     for (std::size_t i = 0; i < survivors.count; ++i) {
       padded.set(cutter.shape, in, first + survivors.triangle[i]);
       const unsigned any = codes_of(cutter.limits, padded.vertex).any;
-      cut_into(cutter, padded.vertex, any, first + survivors.triangle[i], writer, tally);
+      cutter.cut_into(padded.vertex, any, first + survivors.triangle[i], writer, tally);
     }
     access.commit(writer);
   }
@@ -279,7 +304,7 @@ void clip_reference(const ClipVolume& volume, const TriangleStreams& in, Output&
 
 // Codes of all vertices of a mesh.
 template <int K>
-HWY_INLINE void classify_vertices(const Shape<K>& shape, const Limits& limits,
+HWY_INLINE void classify_vertices(const Shape<K>& shape, const ClipLimits& limits,
                                   const VertexArray& in, std::uint8_t* codes) {
   const float* v = in.data;
   for (std::size_t i = 0; i < in.count; ++i, v += shape.floats()) {
@@ -289,7 +314,7 @@ HWY_INLINE void classify_vertices(const Shape<K>& shape, const Limits& limits,
 
 template <Method kMethod, int K>
 void clip_indexed(const ClipVolume& volume, const IndexedMesh& mesh, Output& out) {
-  const Cutter<kMethod, K> cutter(volume, mesh.vertices.attributes);
+  const StageCutter<kMethod, K> cutter(volume, mesh.vertices.attributes);
   const OutputAccess access{out};
   access.begin(mesh.vertices.attributes);
   std::uint8_t* const codes = access.codes(mesh.vertices.count);
@@ -321,7 +346,7 @@ void clip_indexed(const ClipVolume& volume, const IndexedMesh& mesh, Output& out
       const std::size_t t = survivors.triangle[i];
       const auto at = [&](int v) { return mesh.vertices.data + indices[3 * t + v] * stride; };
       padded.set(cutter.shape, at(0), at(1), at(2));
-      cut_into(cutter, padded.vertex, survivors.any[i], first + t, writer, tally);
+      cutter.cut_into(padded.vertex, survivors.any[i], first + t, writer, tally);
     }
     access.commit(writer);
   }

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// SIMD against the plain version, bit for bit, on every instruction set that this processor has.
+#include <hwy/targets.h>
+
+#include <optional>
+
+#include "tests/catch.hpp"
+#include "tests/spaces/batch/inputs.hpp"
+
+namespace clipscope::batch::tests {
+namespace {
+
+constexpr DepthRange kDepths[] = {DepthRange::minus_one_to_one, DepthRange::zero_to_one,
+                                  DepthRange::reversed};
+
+// Runs f on each instruction set in turn.
+template <class F>
+void on_every_target(F&& f) {
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    INFO("on " << target_name());
+    f();
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+template <class Input>
+void check_twins(Method method, const ClipVolume& volume, const Input& input) {
+  Output plain, simd;
+  clip(method, volume, input, plain, Build::plain);
+  clip(method, volume, input, simd);
+  CHECK(first_difference(plain, simd) == std::nullopt);
+}
+
+// All layouts, methods and depth ranges.
+void check_soups(Numbers numbers, int attributes, std::size_t triangles) {
+  Random random(static_cast<std::uint64_t>(attributes) + 1);
+  const Soup soup = make_soup(random, numbers, attributes, triangles);
+  for (const Method method : kStageMethods) {
+    for (const DepthRange depth : kDepths) {
+      INFO(name(method) << ", numbers " << static_cast<int>(numbers) << ", depth "
+                        << static_cast<int>(depth) << ", attributes " << attributes);
+      const ClipVolume volume{.depth = depth};
+      check_twins(method, volume, soup.array());
+      check_twins(method, volume, soup.streams());
+      check_twins(method, volume, soup.mesh());
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("batch: SIMD gives the bits of the plain version, whatever the numbers") {
+  on_every_target([] {
+    for (const Numbers numbers : kNumbers) check_soups(numbers, 4, 1500);
+  });
+}
+
+TEST_CASE("batch: SIMD gives the bits of the plain version for any number of attributes") {
+  on_every_target([] {
+    for (const int attributes : {0, 1, 2, 3, 5, 8, 12, 31, 32}) {
+      check_soups(Numbers::near_volume, attributes, 300);
+    }
+  });
+}
+
+TEST_CASE("batch: SIMD gives the bits of the plain version for any number of triangles") {
+  on_every_target([] {
+    for (const std::size_t triangles : {0, 1, 2, 7, 8, 9, 255, 256, 257, 515}) {
+      check_soups(Numbers::near_volume, 4, triangles);
+    }
+  });
+}
+
+TEST_CASE("batch: clip distances and depth clamp are clipped as the plain version does") {
+  Random random(5);
+  const Soup soup = make_soup(random, Numbers::near_volume, 4, 500);
+  for (const Method method : kStageMethods) {
+    check_twins(method, {.clip_distances = 2}, soup.array());
+    check_twins(method, {.depth_clamp = true}, soup.streams());
+  }
+}
+
+TEST_CASE("batch: in the full contract, too, SIMD gives the bits of the plain version") {
+  Random random(9);
+  std::vector<Frustum<float>> frusta(6);
+  frusta[1].depth = DepthRange::reversed;
+  frusta[1].infinite_far = true;
+  frusta[2].left = -0.5f;
+  frusta[2].top = 2.25f;
+  frusta[2].depth = DepthRange::zero_to_one;
+  frusta[3].infinite_far = true;
+  frusta[4].kind = frusta[5].kind = ProjectionKind::parallel;
+  frusta[5].shear_x = 0.25f;
+  frusta[5].shear_y = -3;
+  for (const int attributes : {0, 3, 4, 7}) {
+    for (const Numbers numbers : kNumbers) {
+      std::vector<float> vertices(600 * (3 + static_cast<std::size_t>(attributes)));
+      for (float& x : vertices) x = 2 * number(random, numbers);
+      const ViewVertexArray input{vertices.data(), 600, attributes};
+      on_every_target([&] {
+        for (const Frustum<float>& frustum : frusta) {
+          for (const Method method : kFullMethods) {
+            INFO(name(method) << ", attributes " << attributes << ", numbers "
+                              << static_cast<int>(numbers));
+            Output plain, simd;
+            const Projection<float> projection(frustum);
+            clip(method, projection, input, plain, Build::plain);
+            clip(method, projection, input, simd);
+            CHECK(first_difference(plain, simd) == std::nullopt);
+          }
+        }
+      });
+    }
+  }
+}
+
+}  // namespace clipscope::batch::tests

@@ -3,7 +3,8 @@
 // The correctly rounded clipper: the distance-matrix clipper with every decision exact and every
 // coordinate the float nearest to the exact one.
 //
-// For clip-space triangles of floats (w of any sign, any finite exponents):
+// For triangles of floats in clip space (w of any sign) or in view space, with the exact numbers of the
+// frustum instead of a rounded matrix, of any finite exponents:
 //   - the vertices are those of the exact intersection of triangle and closed volume;
 //   - x, y, z in NDC, 1/w and each attribute are the floats nearest to the exact values, ties to
 //     even; subnormal ones are rounded once, and only what rounds to infinity is infinite.
@@ -23,8 +24,6 @@
 //
 // Source: this project; of the parts, see distance_matrix.hpp, exact_corners.hpp and exact_lines.hpp.
 // Does not guarantee: anything in other rounding modes than to nearest, or with subnormals flushed.
-// View-space input isn't taken: its transform would be rounded first. It is not in `AllClippers` for
-// that reason.
 #pragma once
 
 #include <array>
@@ -32,6 +31,7 @@
 
 #include "spaces/barycentric/exact_corners.hpp"
 #include "spaces/barycentric/exact_lines.hpp"
+#include "spaces/barycentric/exact_view.hpp"
 #include "spaces/clipper.hpp"
 #include "spaces/planes.hpp"
 #include "spaces/polygon.hpp"
@@ -48,6 +48,19 @@ struct CorrectlyRounded {
   static constexpr Promise promise{.ulps = 2, .watertight = true};
 
   // `count` is called with the barycentric::Stage that settled each sign and quotient.
+  // Pre-condition: is_valid(projection.frustum), and the volume has its depth range.
+  template <int K, class Count = barycentric::CountNothing>
+  void operator()(const Projection<float>& projection, const ViewTriangle<float, K>& triangle,
+                  NdcPolygon<float, K>& out, Count&& count = {}) const {
+    out.clear();
+    if (!has_finite_positions(triangle)) return;
+    const Frustum<float>& frustum = projection.frustum;
+    const barycentric::ViewRows rows = barycentric::view_rows(frustum, triangle);
+    barycentric::CutTriangle cut;
+    if (!barycentric::cut_view_triangle(projection.volume, triangle, rows, cut, count)) return;
+    fill(cut.corners, barycentric::ViewPoints<K>(frustum, rows, triangle), triangle, out, count);
+  }
+
   template <int K, class Count = barycentric::CountNothing>
   void operator()(const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
                   NdcPolygon<float, K>& out, Count&& count = {}) const {
@@ -55,9 +68,7 @@ struct CorrectlyRounded {
     const Coordinates coordinates = barycentric::clip_coordinates(triangle);
     barycentric::CutTriangle cut;
     if (!barycentric::cut_clip_triangle(volume, triangle, coordinates, cut, count)) return;
-    append_vertices(volume.depth, cut.corners, coordinates, triangle, out, count);
-    out.drop_if_degenerate();
-    clear_if_overflowed(out);
+    fill(cut.corners, barycentric::ClipPoints(volume.depth, coordinates), triangle, out, count);
   }
 
   // The polygon in clip coordinates: x, y, z, w and the attributes at the points of the triangle,
@@ -74,16 +85,16 @@ struct CorrectlyRounded {
     const Coordinates coordinates = barycentric::clip_coordinates(triangle);
     barycentric::CutTriangle cut;
     if (!barycentric::cut_clip_triangle(volume, triangle, coordinates, cut, count)) return;
-    const Line w{coordinates[3], {}, 0};
-    for (const Corner& corner : cut.corners) {
-      if (side(corner.at, w, count) <= 0) continue;
+    const barycentric::ClipPoints points(volume.depth, coordinates);
+    for (const barycentric::Corner& corner : cut.corners) {
+      if (side(corner.at, points.w(), count) <= 0) continue;
       if (const int own = barycentric::own_vertex(corner.at); own >= 0) {
         out.push_back(triangle[own]);
         continue;
       }
       const barycentric::Divisor sum = divisor(corner.at, barycentric::kOnes);
       ClipVertex<float, K> v;
-      v.position = clip_position(volume.depth, corner.at, coordinates, sum, count);
+      v.position = points.clip_position(corner.at, sum, count);
       set_attributes(corner.at, sum, triangle, v.attributes, count);
       out.push_back(v);
     }
@@ -91,91 +102,34 @@ struct CorrectlyRounded {
   }
 
  private:
-  using Line = barycentric::Line;
-  using Meeting = barycentric::Meeting;
-  using Corner = barycentric::Corner;
-  using Corners = barycentric::Corners;
   using Coordinates = std::array<barycentric::Values, 4>;  // x, y, z, w
 
-  template <int K, class Count>
-  static void append_vertices(DepthRange depth, const Corners& corners,
-                              const Coordinates& coordinates,
-                              const ClipTriangle<float, K>& triangle, NdcPolygon<float, K>& out,
-                              Count& count) {
-    const Line w{coordinates[3], {}, 0};
-    std::array<const Meeting*, kMaxPolygonVertices> kept;
-    for (const Corner& corner : corners) {
-      if (side(corner.at, w, count) <= 0) continue;
+  // The corners with w > 0 in NDC, those that coincide once.
+  template <Space S, int K, class Points, class Count>
+  static void fill(const barycentric::Corners& corners, const Points& points,
+                   const Triangle<S, float, K>& triangle, NdcPolygon<float, K>& out, Count& count) {
+    std::array<const barycentric::Meeting*, kMaxPolygonVertices> kept;
+    for (const barycentric::Corner& corner : corners) {
+      if (side(corner.at, points.w(), count) <= 0) continue;
       NdcVertex<float, K> v;
-      v.position = ndc_position(depth, corner.at, coordinates, count);
-      const auto coincides = [&](int i) {
-        return have_same_coordinates(out[i].position, v.position) &&
-               coincide(*kept[i], corner.at, coordinates);
-      };
+      v.position = points.position(corner.at, count);
       bool seen = false;
-      for (int i = 0; i < out.size() && !seen; ++i) seen = coincides(i);
+      for (int i = 0; i < out.size() && !seen; ++i) {
+        seen = have_same_coordinates(out[i].position, v.position) &&
+               points.coincide(*kept[i], corner.at);
+      }
       if (seen) continue;
       set_attributes(corner.at, divisor(corner.at, barycentric::kOnes), triangle, v.attributes,
                      count);
       kept[out.size()] = &corner.at;
       out.push_back(v);
     }
-  }
-
-  // Calls f(axis, bound) for each of the six planes that the meeting lies on: there c = bound w.
-  template <class F>
-  static void for_each_fixed(DepthRange depth, const Meeting& m, F&& f) {
-    for_each_plane(planes_of(m) & kSixPlanes, kAllPlanes, [&](Plane plane) {
-      const auto [axis, bound] = barycentric::plane_form(depth, plane);
-      f(axis, bound);
-    });
-  }
-  static constexpr Outcode kSixPlanes = (Outcode{1} << kPlanes) - 1;
-
-  template <class Count>
-  static Vec4<float> ndc_position(DepthRange depth, const Meeting& m,
-                                  const Coordinates& coordinates, Count& count) {
-    const barycentric::Divisor w = divisor(m, coordinates[3]);
-    Vec4<float> r;
-    std::array<bool, 3> is_set{};
-    for_each_fixed(depth, m, [&](int axis, float bound) {
-      r[axis] = bound;
-      is_set[axis] = true;
-    });
-    for (int c = 0; c < 3; ++c) {
-      if (!is_set[c]) r[c] = rounded_quotient(m, coordinates[c], w, count);
-    }
-    r[3] = rounded_quotient(m, barycentric::kOnes, w, count);
-    return r;
-  }
-
-  template <class Count>
-  static Vec4<float> clip_position(DepthRange depth, const Meeting& m,
-                                   const Coordinates& coordinates, const barycentric::Divisor& sum,
-                                   Count& count) {
-    Vec4<float> r;
-    r[3] = rounded_quotient(m, coordinates[3], sum, count);
-    std::array<bool, 3> is_set{};
-    for_each_fixed(depth, m, [&](int axis, float bound) {
-      r[axis] = bound == 0 ? 0 : bound * r[3];
-      is_set[axis] = true;
-    });
-    for (int c = 0; c < 3; ++c) {
-      if (!is_set[c]) r[c] = rounded_quotient(m, coordinates[c], sum, count);
-    }
-    return r;
+    out.drop_if_degenerate();
+    clear_if_overflowed(out);
   }
 
   static bool have_same_coordinates(const Vec4<float>& a, const Vec4<float>& b) {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
-  }
-
-  // Whether two points are the same in NDC, exactly.
-  static bool coincide(const Meeting& a, const Meeting& b, const Coordinates& coordinates) {
-    for (int c = 0; c < 3; ++c) {
-      if (!has_same_quotient(a, b, coordinates[c], coordinates[3])) return false;
-    }
-    return true;
   }
 };
 

@@ -31,7 +31,7 @@ using Corners = VertexList<Corner>;
 
 // Edge i is opposite to vertex i.
 inline constexpr std::array<Line, 3> kEdges = {
-    {{{1, 0, 0}, {}, 0}, {{0, 1, 0}, {}, 0}, {{0, 0, 1}, {}, 0}}};
+    {{{1, 0, 0}, {}, 0, {}}, {{0, 1, 0}, {}, 0, {}}, {{0, 0, 1}, {}, 0, {}}}};
 
 // A polygon and the lines that its corners point to: it stays where it is.
 struct CutTriangle {
@@ -90,7 +90,7 @@ void cut_triangle(Outcode code, RowOf&& row_of, CutTriangle& cut, Count& count) 
 // The row of a clip distance. Pre-condition: they are finite.
 template <Space S, int K>
 Line clip_distance_row(Plane plane, const Triangle<S, float, K>& triangle) {
-  Line r{{}, {}, bit(plane)};
+  Line r{{}, {}, bit(plane), {}};
   for (int i = 0; i < 3; ++i) r.rounded[i] = triangle[i].attributes[clip_distance_index(plane)];
   return r;
 }
@@ -123,7 +123,7 @@ constexpr PlaneForm plane_form(DepthRange depth, Plane plane) {
 
 // The row of one of the six planes at three values of its coordinate and of w, floats all of them.
 inline Line clip_row(const PlaneForm& form, Plane plane, const Values& c, const Values& w) {
-  Line r{{}, {}, bit(plane)};
+  Line r{{}, {}, bit(plane), {}};
   for (int i = 0; i < 3; ++i) {
     if (form.bound == 0) {
       r.rounded[i] = c[i];
@@ -172,6 +172,19 @@ inline int own_vertex(const Meeting& m) {
   return m.magnitude[0] != 0 ? 0 : m.magnitude[1] != 0 ? 1 : 2;
 }
 
+inline constexpr Outcode kSixPlanes = (Outcode{1} << kPlanes) - 1;
+
+// Sets the coordinates that the meeting's planes fix, c = bound w with +0 for 0; returns a bit for each.
+inline Outcode set_fixed(DepthRange depth, const Meeting& m, float w, Vec4<float>& position) {
+  Outcode fixed = 0;
+  for_each_plane(planes_of(m) & kSixPlanes, kAllPlanes, [&](Plane plane) {
+    const auto [axis, bound] = plane_form(depth, plane);
+    position[axis] = bound == 0 ? 0 : bound * w;
+    fixed |= Outcode{1} << axis;
+  });
+  return fixed;
+}
+
 inline constexpr Values kOnes = {1, 1, 1};
 
 // The attributes at a meeting, rounded; a clip distance that cut there is +0. Those that are not finite
@@ -196,5 +209,52 @@ void set_attributes(const Meeting& m, const Divisor& sum, const Triangle<S, floa
     }
   }
 }
+
+// The points of a clip-space triangle in NDC.
+class ClipPoints {
+ public:
+  ClipPoints(DepthRange depth, const std::array<Values, 4>& coordinates)
+      : depth_(depth), coordinates_(coordinates), w_{coordinates[3], {}, 0, {}} {}
+
+  const Line& w() const { return w_; }
+
+  // x, y, z and 1/w at a meeting with w > 0, rounded; coordinates on their planes exactly.
+  template <class Count>
+  Vec4<float> position(const Meeting& m, Count& count) const {
+    const Divisor w = divisor(m, coordinates_[3]);
+    Vec4<float> r(0);
+    const Outcode fixed = set_fixed(depth_, m, 1, r);
+    for (int c = 0; c < 3; ++c) {
+      if ((fixed >> c & 1) == 0) r[c] = rounded_quotient(m, coordinates_[c], w, count);
+    }
+    r[3] = rounded_quotient(m, kOnes, w, count);
+    return r;
+  }
+
+  // x, y, z and w with lambda made to sum to 1.
+  template <class Count>
+  Vec4<float> clip_position(const Meeting& m, const Divisor& sum, Count& count) const {
+    Vec4<float> r(0);
+    r[3] = rounded_quotient(m, coordinates_[3], sum, count);
+    const Outcode fixed = set_fixed(depth_, m, r[3], r);
+    for (int c = 0; c < 3; ++c) {
+      if ((fixed >> c & 1) == 0) r[c] = rounded_quotient(m, coordinates_[c], sum, count);
+    }
+    return r;
+  }
+
+  // Whether two meetings are one point in NDC, exactly.
+  bool coincide(const Meeting& a, const Meeting& b) const {
+    for (int c = 0; c < 3; ++c) {
+      if (!has_same_quotient(a, b, coordinates_[c], coordinates_[3])) return false;
+    }
+    return true;
+  }
+
+ private:
+  DepthRange depth_;
+  const std::array<Values, 4>& coordinates_;
+  Line w_;
+};
 
 }  // namespace clipscope::barycentric

@@ -11,18 +11,25 @@
 //
 // Range. A float is a multiple of 2^-149 below 2^128, hence a sum of products of k of them is a
 // multiple of 2^(-149 k), and so is every rounded partial result and every rounding error on the way
-// (rounding keeps multiples of a smaller power of two). The largest degree is 6, for two vertices that
-// may coincide: multiples of 2^-894. A line's entry is below 2^129, the lambda of a meeting below
-// 2^259, its dot product with a line below 2^390, a product of two of these below 2^781. Nothing
-// under- or overflows, and nothing needs to be scaled.
+// (rounding keeps multiples of a smaller power of two). Degrees, and bounds of magnitudes:
 //
-// Lemma (filter). Let v be a sum of products of floats, and let every product pass through at most k
-// roundings of its factors, itself and sums in double, u = 2^-53. Let M be computed by the same
-// operations on magnitudes, differences turned into sums. Then |computed v - v| <= (k + 1) u M for
-// k <= 8: each product is off by a factor between (1 - u)^k and (1 + u)^k, so the error is at most
+//   a line's entry                            2   2^257   n x + l z of view space; 1 and 2^129 in clip space
+//   lambda                                    4   2^515   a difference of two products of entries
+//   lambda . floats                           5   2^645
+//   lambda . line, and numerators             6   2^775   in view space up to two such, times floats
+//   a denominator times a midpoint of floats      2^903   a multiple of 2^-1044 (midpoints: of 2^-150)
+//
+// All are multiples of 2^-1074 below 2^1024: nothing under- or overflows, and nothing needs to be
+// scaled. `has_same_quotient` multiplies two of them; its pre-condition keeps it in the range.
+//
+// Lemma (filter). Let v be a sum of products, and let every product pass through at most k roundings of
+// its factors, itself and sums in double, u = 2^-53. Let M be computed by the same operations on
+// magnitudes, differences turned into sums. Then |computed v - v| <= (k + 1) u M for k <= 1000:
+// each product is off by a factor between (1 - u)^k and (1 + u)^k, so the error is at most
 // ((1 + u)^k - 1) times the exact sum of magnitudes, which is at most M (1 - u)^-k.
-// Counts: a line's entry 1; lambda: two entries, the product, the difference 4; its dot product with an
-// exact vector 4 + 1 + 2 = 7, with a line 8. One more u covers the rounding of the bound: 10 u M.
+// Counts: a line's entry 2 (in clip space, and unless sheared, 1); lambda: two entries, the product, the
+// difference 6; its dot product with an exact vector 6 + 1 + 2 = 9, with a line 11, with numerators
+// at the vertices, which have 3 themselves, 12. One more u covers the rounding of the bound: 14 u M.
 #pragma once
 
 #include <array>
@@ -61,11 +68,13 @@ struct CountStages {
 // Numbers at the three vertices, exact.
 using Values = std::array<double, 3>;
 
-// line . lambda >= 0 is inside; 0, on the line, is inside. The entries are rounded + error exactly, and
-// have the sign of `rounded`. `plane` is no bit for an edge of the triangle.
+// line . lambda >= 0 is inside; 0, on the line, is inside. The entries are rounded + error + rest exactly,
+// components of an expansion, `rounded` being within 2 u of them, relatively. `plane` is no bit for an
+// edge of the triangle.
 struct Line {
   Values rounded{}, error{};
   Outcode plane = 0;
+  Values rest{};
 };
 
 // lambda = a x b, times no more than a positive factor the point where the polygon's boundary goes over
@@ -92,18 +101,29 @@ struct Bounded {
   double value, error;
 };
 
-// lambda . v, for exact values and for the entries of a line.
-inline Bounded dot(const Meeting& m, const Values& v) {
+inline constexpr double kFilterError = 14 * 0x1p-53;
+
+// lambda . v, where v passed through at most three roundings and |v| is `magnitude` in the lemma's sense.
+inline Bounded dot(const Meeting& m, const Values& v, const Values& magnitude) {
   const double value = m.lambda[0] * v[0] + m.lambda[1] * v[1] + m.lambda[2] * v[2];
-  const double magnitude = m.magnitude[0] * std::abs(v[0]) + m.magnitude[1] * std::abs(v[1]) +
-                           m.magnitude[2] * std::abs(v[2]);
-  return {value, 10 * 0x1p-53 * magnitude};
+  const double bound =
+      m.magnitude[0] * magnitude[0] + m.magnitude[1] * magnitude[1] + m.magnitude[2] * magnitude[2];
+  return {value, kFilterError * bound};
 }
 
-using ExactLambda = std::array<Expansion<16>, 3>;
+// lambda . v, for exact values and for the entries of a line.
+inline Bounded dot(const Meeting& m, const Values& v) {
+  return dot(m, v, {std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+}
 
-inline Expansion<2> exact_entry(const Line& line, int i) {
-  return {line.rounded[i], line.error[i]};
+using ExactLambda = std::array<Expansion<36>, 3>;
+
+inline Expansion<3> exact_entry(const Line& line, int i) {
+  Expansion<3> r;
+  r.push(line.rest[i]);
+  r.push(line.error[i]);
+  r.push(line.rounded[i]);
+  return r;
 }
 
 inline ExactLambda exact_lambda(const Meeting& m) {
@@ -116,11 +136,16 @@ inline ExactLambda exact_lambda(const Meeting& m) {
   return r;
 }
 
-// Components of degree 3 are multiples of 2^-447 below 2^393: at most 840 / 52 + 2 remain.
-using ExactDot = Expansion<18>;
+// Multiples of 2^-894 below 2^775: at most 1669 / 52 + 2 components remain.
+using ExactDot = Expansion<34>;
 
 inline ExactDot exact_dot(const ExactLambda& lambda, const Values& v) {
-  return compressed<18>(lambda[0] * v[0] + lambda[1] * v[1] + lambda[2] * v[2]);
+  return compressed<34>(lambda[0] * v[0] + lambda[1] * v[1] + lambda[2] * v[2]);
+}
+
+inline ExactDot exact_dot(const ExactLambda& lambda, const Line& line) {
+  return compressed<34>(lambda[0] * exact_entry(line, 0) + lambda[1] * exact_entry(line, 1) +
+                        lambda[2] * exact_entry(line, 2));
 }
 
 // The side of the line that a meeting is on: the sign of lambda . line, -1, 0 or 1.
@@ -132,10 +157,7 @@ int side(const Meeting& m, const Line& line, Count& count) {
     return (d.value > 0) - (d.value < 0);
   }
   count(Stage::sign_exact);
-  const ExactLambda lambda = exact_lambda(m);
-  const auto exact = lambda[0] * exact_entry(line, 0) + lambda[1] * exact_entry(line, 1) +
-                     lambda[2] * exact_entry(line, 2);
-  return exact.sign();
+  return exact_dot(exact_lambda(m), line).sign();
 }
 
 // numerator / denominator rounded to the nearest float, ties to even. Pre-condition: denominator > 0.
@@ -144,7 +166,8 @@ int side(const Meeting& m, const Line& line, Count& count) {
 // 2^-50 of the exact one, with room for the rounding of the two products. Between `low` and `high` lies
 // at most one midpoint of floats, since these are at least 2^-25 apart, relatively. Half a unit above
 // the largest float, where rounding goes over to infinity, is a midpoint as well, as if the next
-// float were 2^128.
+// float were 2^128. Where the quotient leaves the range of double, or of its normal numbers, it is far
+// beyond that of float, and both ends are infinite or 0.
 template <class Count>
 float round_quotient(const ExactDot& numerator, const ExactDot& denominator, Count& count) {
   const int sign = numerator.sign();
@@ -169,42 +192,66 @@ float round_quotient(const ExactDot& numerator, const ExactDot& denominator, Cou
 struct Divisor {
   Values values;
   Bounded dot;
-  double reciprocal;  // of dot.value, if that is certain to twenty bits, else NaN
+  double reciprocal;      // of dot.value, if that is certain to twenty bits, else NaN
+  double relative_error;  // of the quotient for that of the divisor and for roundings, see below
 };
+
+inline constexpr double kQuotientRoundings = 0x1p-50;
 
 inline Divisor divisor(const Meeting& m, const Values& denominator) {
   const Bounded d = dot(m, denominator);
   const bool is_certain = d.value > 0x1p20 * d.error;
-  return {denominator, d, is_certain ? 1 / d.value : std::numeric_limits<double>::quiet_NaN()};
+  const double reciprocal = is_certain ? 1 / d.value : std::numeric_limits<double>::quiet_NaN();
+  return {denominator, d, reciprocal, d.error * reciprocal + kQuotientRoundings};
 }
 
-// lambda . numerator / lambda . denominator, rounded. 0 is +0; what rounds to 0 from below is -0.
+// Numerator and denominator, exactly.
+struct ExactQuotient {
+  ExactDot numerator, denominator;
+};
+
+// numerator / (divisor times scale), rounded; exact() is the ExactQuotient of it. 0 is +0; what rounds to 0
+// from below is -0. inverse_scale is 1 / scale in double, of a scale rounded once, or 1.
 //
 // With n, d and their bounds En, Ed the quotient is within (En + |n/d| Ed) / (d - Ed) of n/d; it is
-// Ed < 2^-20 d. 2^-51 |q| covers the roundings of the reciprocal, of q and of the interval's ends, and
-// 1 + 2^-18 the Ed in the divisor and the roundings of this bound.
+// Ed < 2^-20 d. kQuotientRoundings |q| = 8 u |q| covers the roundings of the scale, the two
+// reciprocals, their product, q and the interval's ends, 6 u, and 1 + 2^-18 the Ed in the divisor and the
+// roundings of this bound. Some of its terms may underflow, by less than 2^-1072 together: for
+// |q| >= 2^-900 that is within the same 2^-18 of the bound.
 // Rounding is monotone: where both ends round to the same float, so does all between.
-template <class Count>
-float rounded_quotient(const Meeting& m, const Values& numerator, const Divisor& by, Count& count) {
-  const Bounded n = dot(m, numerator);
+template <class Exact, class Count>
+float rounded_quotient(const Bounded& n, const Divisor& by, double inverse_scale, Exact&& exact,
+                       Count& count) {
   if (n.error == 0) {  // every product is 0
     count(Stage::quotient_filtered);
     return 0;
   }
-  const double q = n.value * by.reciprocal;
-  const double error =
-      ((n.error + std::abs(q) * by.dot.error) * by.reciprocal + 0x1p-51 * std::abs(q)) *
-      (1 + 0x1p-18);
+  const double reciprocal = by.reciprocal * inverse_scale;
+  const double q = n.value * reciprocal, magnitude = std::abs(q);
+  const double error = (n.error * reciprocal + magnitude * by.relative_error) * (1 + 0x1p-18);
   const float low = static_cast<float>(q - error), high = static_cast<float>(q + error);
-  if (!std::isnan(q) && std::bit_cast<std::uint32_t>(low) == std::bit_cast<std::uint32_t>(high)) {
+  if (magnitude >= 0x1p-900 &&
+      std::bit_cast<std::uint32_t>(low) == std::bit_cast<std::uint32_t>(high)) {
     count(Stage::quotient_filtered);
     return low;
   }
-  const ExactLambda lambda = exact_lambda(m);
-  return round_quotient(exact_dot(lambda, numerator), exact_dot(lambda, by.values), count);
+  const ExactQuotient quotient = exact();
+  return round_quotient(quotient.numerator, quotient.denominator, count);
+}
+
+// lambda . numerator / lambda . denominator, rounded.
+template <class Count>
+float rounded_quotient(const Meeting& m, const Values& numerator, const Divisor& by, Count& count) {
+  const auto exact = [&] {
+    const ExactLambda lambda = exact_lambda(m);
+    return ExactQuotient{exact_dot(lambda, numerator), exact_dot(lambda, by.values)};
+  };
+  return rounded_quotient(dot(m, numerator), by, 1, exact, count);
 }
 
 // Whether a.numerator / a.denominator = b.numerator / b.denominator at two meetings, exactly.
+// Pre-condition: numerator at one meeting and denominator at the other have together a degree of at most 7,
+// as in clip space, where all lines are of degree 1.
 inline bool has_same_quotient(const Meeting& a, const Meeting& b, const Values& numerator,
                               const Values& denominator) {
   const ExactLambda at_a = exact_lambda(a), at_b = exact_lambda(b);

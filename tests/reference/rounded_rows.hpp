@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Polygons as rows of floats, compared bit by bit.
+// Polygons as rows of floats, those of clippers and exact ones rounded once, compared bit by bit.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "reference/exact_clip.hpp"
 #include "spaces/polygon.hpp"
 #include "tests/reference/clip_cases.hpp"
 
@@ -24,6 +26,19 @@ Rows rows(const Polygon<S, float, kAttributes>& polygon) {
     Row& row = r.emplace_back();
     for (int c = 0; c < 4; ++c) row[c] = v.position[c];
     for (int k = 0; k < kAttributes; ++k) row[4 + k] = v.attributes[k];
+  }
+  return r;
+}
+
+// What a clipper has to yield: no polygon of fewer than three vertices, no infinite z.
+inline Rows rounded(const ExactPolygon& exact) {
+  Rows r;
+  if (exact.vertices.size() < 3) return r;
+  for (const ExactVertex& v : exact.vertices) {
+    Row& row = r.emplace_back(Row{round_to<float>(v.x), round_to<float>(v.y), round_to<float>(v.z),
+                                  round_to<float>(v.inv_w)});
+    for (int k = 0; k < kAttributes; ++k) row[4 + k] = round_to<float>(v.attributes[k]);
+    if (std::isinf(row[2])) return {};
   }
   return r;
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <random>
 #include <sstream>
 #include <vector>
 
@@ -35,18 +36,8 @@ Rows clipped(const Case& c) {
   return clipped(c, count);
 }
 
-// What a clipper has to yield: no polygon of fewer than three vertices, no infinite z.
 Rows expected(const Case& c) {
-  const ExactPolygon exact = clip(Truth::of_clip(c.volume), input_triangle(c.triangle));
-  Rows r;
-  if (exact.vertices.size() < 3) return r;
-  for (const ExactVertex& v : exact.vertices) {
-    Row& row = r.emplace_back(Row{round_to<float>(v.x), round_to<float>(v.y), round_to<float>(v.z),
-                                  round_to<float>(v.inv_w)});
-    for (int k = 0; k < kAttributes; ++k) row[4 + k] = round_to<float>(v.attributes[k]);
-    if (std::isinf(row[2])) return {};
-  }
-  return r;
+  return rounded(clip(Truth::of_clip(c.volume), input_triangle(c.triangle)));
 }
 
 struct Compared {
@@ -101,11 +92,13 @@ TEST_CASE("correctly rounded: every bit is right in the catalogue of hard cases"
   CHECK(compared > 50);
 }
 
-// Run by name, for a longer look: prints what was compared and which stage settled it.
+// Run by name, for a longer look, each time another one: prints what was compared and which stage settled it.
 TEST_CASE("correctly rounded: a long comparison", "[.long]") {
+  const std::uint64_t seed = std::random_device{}();
+  INFO("seed " << seed);
   std::int64_t total = 0;
   for (const CaseSet& set : kCaseSets) {
-    const Compared r = compare_with_reference(set.make, 600000, 2);
+    const Compared r = compare_with_reference(set.make, 600000, seed);
     total += r.coordinates;
     std::ostringstream s;
     s << set.name << ": " << r.coordinates << " coordinates; stages";

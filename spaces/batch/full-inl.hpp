@@ -13,7 +13,7 @@
 #define CLIPSCOPE_BATCH_FULL_INL
 #endif
 
-#include "spaces/batch/plain_full.hpp"
+#include "spaces/batch/plain_triangle.hpp"
 #include "spaces/batch/stage-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -146,7 +146,8 @@ class FullClipper {
         if (vertices != kGiveUp) vertices = finish(memory.polygon, vertices, writer.next);
       }
       if (vertices == kGiveUp) {
-        vertices = clip_plainly(block + 3 * t * (stride - 1), writer.next);
+        vertices = plain::cut_full(kMethod, projection_, shape.attributes,
+                                   block + 3 * t * (stride - 1), writer.next);
       }
       writer.add(first + t, vertices);
     }
@@ -169,14 +170,6 @@ class FullClipper {
       if (!finite) return kGiveUp;
     }
     return count;
-  }
-
-  HWY_NOINLINE int clip_plainly(const float* v, float* out) const {
-    NdcPolygon<float, K> polygon;
-    plain::clip_full(kMethod, projection_,
-                     plain::read_view_triangle<K>(v, cutter_.shape.attributes), polygon);
-    write_polygon(polygon, out);
-    return polygon.size();
   }
 
   const Projection<float>& projection_;

@@ -2,7 +2,7 @@
 //
 // The full contract's entry point: chooses the instruction set at run time, then the method and the number of
 // attributes (see stage.cpp).
-#include "spaces/batch/plain_full.hpp"
+#include "spaces/batch/plain.hpp"
 
 #define HWY_DISABLED_TARGETS \
   (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)

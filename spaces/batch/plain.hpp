@@ -1,156 +1,37 @@
 // SPDX-License-Identifier: MIT
 //
-// The plain twins of the batch clippers: one triangle at a time, clip space in, clip space out, no divide.
-//
-// They are made of the scalar clippers' own parts and say what the SIMD code has to answer, bit for bit; and
-// they clip what it hands back (clip distances, depth clamp, vertices that aren't finite, polygons that
-// rounding has made other than convex).
+// The batch clippers in plain C++: what the SIMD code has to answer, bit for bit, and what clips for it
+// where it gives up (clip distances, depth clamp, vertices that aren't finite, polygons that rounding has made
+// other than convex, floats that only expansions settle).
 #pragma once
 
-#include "spaces/barycentric/correctly_rounded.hpp"
+#include "spaces/barycentric/exact_corners.hpp"
 #include "spaces/batch/batch.hpp"
-#include "spaces/homogeneous/sutherland_hodgman.hpp"
+#include "spaces/batch/layout.hpp"
 
-namespace clipscope::batch {
+namespace clipscope::batch::plain {
 
-template <std::floating_point To, std::floating_point From, int K>
-ClipVertex<To, K> vertex_cast(const ClipVertex<From, K>& v) {
-  ClipVertex<To, K> r;
-  for (int c = 0; c < 4; ++c) r.position[c] = static_cast<To>(v.position[c]);
-  r.attributes.resize(v.attributes.size());
-  for (int k = 0; k < v.attributes.size(); ++k) {
-    r.attributes[k] = static_cast<To>(v.attributes[k]);
-  }
-  return r;
-}
+// The contracts.
+void copy(Method method, const ClipVolume& volume, const VertexArray& in, Output& out);
+void reference(Method method, const ClipVolume& volume, const TriangleStreams& in, Output& out);
+void indexed(Method method, const ClipVolume& volume, const IndexedMesh& mesh, Output& out);
+void full(Method method, const Projection<float>& projection, const ViewVertexArray& in,
+          Output& out);
 
-// Sutherland-Hodgman in T, rounded to float once at the end.
-template <std::floating_point T, int K>
-void clip_homogeneous(const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
-                      ClipPolygon<float, K>& out) {
-  out.clear();
-  const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
-    return clip_outcode(volume.depth, triangle[i].position);
-  });
-  if (code.all != 0) return;
-  ClipPolygon<T, K> polygon, scratch;
-  for (const ClipVertex<float, K>& v : triangle) polygon.push_back(vertex_cast<T>(v));
-  for (const ClipVertex<T, K>& v :
-       HomogeneousSutherlandHodgman::cut(volume, code.any, polygon, scratch)) {
-    if (T(0) < v.position[3]) out.push_back(vertex_cast<float>(v));
-  }
-  out.drop_if_degenerate();
-  for (const ClipVertex<float, K>& v : out) {
-    if (!has_finite_position(v)) {
-      out.clear();
-      return;
-    }
-  }
-}
+// One triangle: writes the polygon's vertices to `out` and returns how many they are.
+int cut(Method method, const ClipVolume& volume, int attributes, const float* const vertex[3],
+        float* out);
+// vertices: three of a ViewVertexArray.
+int cut_full(Method method, const Projection<float>& projection, int attributes,
+             const float* vertices, float* out);
 
-// Decisions by the signs of rounded determinants. Used in place of a count of stages: see
-// `barycentric::side`.
-struct RoundedSigns {};
-inline int side(const barycentric::Meeting& m, const barycentric::Line& line, RoundedSigns&) {
-  const double d = barycentric::dot(m, line.rounded).value;
-  return (d > 0) - (d < 0);
-}
+// The corners of the part inside the planes of the code; whether there are three or more. Signs of
+// determinants are those of rounded ones, or exact. Pre-condition: positions are finite.
+bool cut_corners(DepthRange depth, Outcode planes, const float* const vertex[3],
+                 barycentric::CutTriangle& cut);
+bool cut_corners(DepthRange depth, Outcode planes, const double* const vertex[3],
+                 barycentric::CutTriangle& cut);
+bool cut_corners_exactly(DepthRange depth, Outcode planes, const float* const vertex[3],
+                         barycentric::CutTriangle& cut);
 
-// The corners of the part inside, by such signs; whether there are three or more.
-template <std::floating_point V, int K>
-bool cut_by_rounded_signs(const ClipVolume& volume, const ClipTriangle<V, K>& triangle,
-                          barycentric::CutTriangle& cut) {
-  if (!has_finite_positions(triangle)) return false;
-  const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
-    return clip_outcode(volume.depth, triangle[i].position);
-  });
-  if (code.all != 0) return false;
-  const auto values = [&](auto&& of) {
-    return barycentric::Values{of(triangle[0]), of(triangle[1]), of(triangle[2])};
-  };
-  const auto row_of = [&](Plane plane) {
-    if (is_clip_distance(plane)) {
-      const int k = clip_distance_index(plane);
-      return barycentric::Line{
-          values([k](const ClipVertex<V, K>& v) { return v.attributes[k]; }), {}, bit(plane)};
-    }
-    const barycentric::PlaneForm form = barycentric::plane_form(volume.depth, plane);
-    return barycentric::clip_row(
-        form, plane, values([&](const ClipVertex<V, K>& v) { return v.position[form.axis]; }),
-        values([](const ClipVertex<V, K>& v) { return v.position[3]; }));
-  };
-  RoundedSigns signs;
-  barycentric::cut_triangle(code.any, row_of, cut, signs);
-  return cut.corners.size() >= 3;
-}
-
-// sum lambda_i v_i / sum lambda_i, +0 if it is 0. A vertex without weight takes no part.
-template <std::floating_point V>
-V weighted_mean(const barycentric::Meeting& m, const std::array<V, 3>& v, double reciprocal) {
-  double sum = 0;
-  for (int i = 0; i < 3; ++i) {
-    if (m.magnitude[i] != 0) sum += m.lambda[i] * static_cast<double>(v[i]);
-  }
-  return static_cast<V>(sum * reciprocal);
-}
-
-// Where the meeting lies on a plane by construction, its coordinate or clip distance is set.
-template <std::floating_point V, int K>
-void set_on_planes(DepthRange depth, const barycentric::Meeting& m, ClipVertex<V, K>& v) {
-  for_each_plane(barycentric::planes_of(m), kAllPlanes, [&](Plane plane) {
-    if (is_clip_distance(plane)) {
-      v.attributes[clip_distance_index(plane)] = 0;
-      return;
-    }
-    const auto [axis, bound] = barycentric::plane_form(depth, plane);
-    v.position[axis] = bound == 0 ? V(0) : bound * v.position[3];
-  });
-}
-
-template <std::floating_point V, int K>
-ClipVertex<V, K> mean_vertex(DepthRange depth, const barycentric::Meeting& m,
-                             const ClipTriangle<V, K>& triangle) {
-  const double reciprocal = 1 / barycentric::dot(m, barycentric::kOnes).value;
-  const auto mean = [&](const auto& of) {
-    return weighted_mean<V>(m, {of(triangle[0]), of(triangle[1]), of(triangle[2])}, reciprocal);
-  };
-  ClipVertex<V, K> v = triangle[0];
-  for (int c = 0; c < 4; ++c) {
-    v.position[c] = mean([c](const ClipVertex<V, K>& p) { return p.position[c]; });
-  }
-  for (int k = 0; k < v.attributes.size(); ++k) {
-    v.attributes[k] = mean([k](const ClipVertex<V, K>& p) { return p.attributes[k]; });
-  }
-  set_on_planes(depth, m, v);
-  return v;
-}
-
-// Every new vertex from the three own ones in double, rounded to V; a coordinate on its plane is set.
-template <std::floating_point V, int K>
-void clip_barycentric(const ClipVolume& volume, const ClipTriangle<V, K>& triangle,
-                      ClipPolygon<V, K>& out) {
-  out.clear();
-  barycentric::CutTriangle cut;
-  if (!cut_by_rounded_signs(volume, triangle, cut)) return;
-  for (const barycentric::Corner& corner : cut.corners) {
-    const int own = barycentric::own_vertex(corner.at);
-    const ClipVertex<V, K> v =
-        own >= 0 ? triangle[own] : mean_vertex(volume.depth, corner.at, triangle);
-    if (V(0) < v.position[3]) out.push_back(v);
-  }
-  out.drop_if_degenerate();
-}
-
-template <int K>
-void clip_plain(Method method, const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
-                ClipPolygon<float, K>& out) {
-  switch (method) {
-    case Method::view:
-    case Method::homogeneous: return clip_homogeneous<float>(volume, triangle, out);
-    case Method::homogeneous_double: return clip_homogeneous<double>(volume, triangle, out);
-    case Method::barycentric: return clip_barycentric(volume, triangle, out);
-    case Method::correctly_rounded: return CorrectlyRounded::stage(volume, triangle, out);
-  }
-}
-
-}  // namespace clipscope::batch
+}  // namespace clipscope::batch::plain

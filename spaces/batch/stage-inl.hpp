@@ -91,21 +91,12 @@ class Cutter {
     }
   }
 
-  HWY_NOINLINE bool cut_corners(const Straddler<V>& s, barycentric::CutTriangle& cut) const {
-    const auto row_of = [&](Plane plane) {
-      const barycentric::PlaneForm form = barycentric::plane_form(depth_, plane);
-      barycentric::Values c, w;
-      for (int i = 0; i < 3; ++i) {
-        c[i] = s.vertex[i][form.axis];
-        w[i] = s.vertex[i][3];
-      }
-      return barycentric::clip_row(form, plane, c, w);
-    };
-    std::conditional_t<kMethod == Method::correctly_rounded, barycentric::CountNothing,
-                       RoundedSigns>
-        count;
-    barycentric::cut_triangle(outcode_of(s.any), row_of, cut, count);
-    return cut.corners.size() >= 3;
+  bool cut_corners(const Straddler<V>& s, barycentric::CutTriangle& cut) const {
+    if constexpr (kMethod == Method::correctly_rounded) {
+      return plain::cut_corners_exactly(depth_, outcode_of(s.any), s.vertex, cut);
+    } else {
+      return plain::cut_corners(depth_, outcode_of(s.any), s.vertex, cut);
+    }
   }
 
   HWY_INLINE Outcode outcode_of(unsigned any) const {
@@ -165,25 +156,16 @@ class StageCutter : public Cutter<kMethod, K, float> {
   StageCutter(const ClipVolume& volume, int attributes)
       : Base(volume.depth, attributes), volume_(volume) {}
 
-  HWY_INLINE void cut_into(const float* const vertex[3], unsigned any, std::size_t triangle,
-                           Writer& writer, Tally& tally) const {
+  HWY_NOINLINE void cut_into(const float* const vertex[3], unsigned any, std::size_t triangle,
+                             Writer& writer, Tally& tally) const {
     int count = Base::cut(vertex, any, writer.next, tally);
-    if (count == kGiveUp) count = cut_plainly(vertex, writer.next);
+    if (count == kGiveUp) {
+      count = plain::cut(kMethod, volume_, Base::shape.attributes, vertex, writer.next);
+    }
     writer.add(triangle, count);
   }
 
  private:
-  HWY_NOINLINE int cut_plainly(const float* const vertex[3], float* out) const {
-    ClipTriangle<float, K> triangle;
-    for (int i = 0; i < 3; ++i) {
-      triangle[i] = read_vertex<K>(vertex[i], Base::shape.attributes);
-    }
-    ClipPolygon<float, K> polygon;
-    clip_plain(kMethod, volume_, triangle, polygon);
-    write_polygon(polygon, out);
-    return polygon.size();
-  }
-
   const ClipVolume volume_;
 };
 

@@ -3,7 +3,7 @@
 // The stage's entry points: chooses the instruction set at run time, then the method and the number of
 // attributes, which are template parameters below it.
 // 0 and 4 attributes have code of their own; other numbers share one.
-#include "spaces/batch/plain_stage.hpp"
+#include "spaces/batch/plain.hpp"
 
 // SSE4, AVX2, AVX-512 and NEON remain: these gain nothing over them, or have vectors of no fixed size.
 #define HWY_DISABLED_TARGETS \

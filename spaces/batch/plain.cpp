@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "spaces/batch/plain.hpp"
+
+#include "spaces/batch/plain_triangle.hpp"
+
+namespace clipscope::batch::plain {
+namespace {
+
+// An inside triangle is usable as it is if every w is finite and positive.
+template <int K>
+bool is_usable(const ClipTriangle<float, K>& triangle) {
+  for (const ClipVertex<float, K>& v : triangle) {
+    if (!(0 < v.position[3]) || !has_finite_position(v)) return false;
+  }
+  return true;
+}
+
+// Where the triangles that are inside go.
+enum class Inside { written, named };
+
+// triangle_at(t) gives triangle t as ClipTriangle<float, K>.
+template <int K, class TriangleAt>
+void run(Method method, const ClipVolume& volume, std::size_t triangles, int attributes,
+         Inside inside, TriangleAt&& triangle_at, Output& out) {
+  const OutputAccess access{out};
+  access.begin(attributes);
+  Tally& tally = access.tally();
+  ClipPolygon<float, K> polygon;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    Writer writer = access.block(1);
+    const ClipTriangle<float, K> triangle = triangle_at(t);
+    const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
+      return clip_outcode(volume.depth, triangle[i].position);
+    });
+    const bool is_inside = code.any == 0 && is_usable(triangle);
+    tally.inside += is_inside;
+    tally.rejected += code.all != 0;
+    tally.plain += code.all == 0 && !is_inside;
+    if (is_inside && inside == Inside::named) {
+      *writer.inside++ = static_cast<std::uint32_t>(t);
+    } else if (code.all == 0) {
+      if (is_inside) {
+        polygon.assign(triangle);
+      } else {
+        clip_stage(method, volume, triangle, polygon);
+      }
+      write_polygon(polygon, writer.next);
+      writer.add(t, polygon.size());
+    }
+    access.commit(writer);
+  }
+}
+
+// Four attributes have code of their own.
+template <class TriangleAt>
+void run(Method method, const ClipVolume& volume, std::size_t triangles, int attributes,
+         Inside inside, TriangleAt&& triangle_at, Output& out) {
+  const auto with = [&]<int K>(std::integral_constant<int, K>) {
+    run<K>(
+        method, volume, triangles, attributes, inside,
+        [&](std::size_t t) { return triangle_at(std::integral_constant<int, K>(), t); }, out);
+  };
+  if (attributes == 4) {
+    with(std::integral_constant<int, 4>());
+  } else {
+    with(std::integral_constant<int, kRunTime>());
+  }
+}
+
+// Three vertices of 3 + K floats, or 3 + attributes for K = kRunTime.
+template <int K>
+ViewTriangle<float, K> read_view_triangle(const float* v, int attributes) {
+  ViewTriangle<float, K> r;
+  for (ViewVertex<float, K>& vertex : r) {
+    for (int c = 0; c < 3; ++c) vertex.position[c] = *v++;
+    vertex.attributes.resize(attributes);
+    for (int k = 0; k < vertex.attributes.size(); ++k) vertex.attributes[k] = *v++;
+  }
+  return r;
+}
+
+template <int K>
+void full(Method method, const Projection<float>& projection, const ViewVertexArray& in,
+          Output& out) {
+  const OutputAccess access{out};
+  access.begin(in.attributes);
+  const std::size_t stride = 3 + static_cast<std::size_t>(in.attributes);
+  NdcPolygon<float, K> polygon;
+  for (std::size_t t = 0; t < in.count / 3; ++t) {
+    clip_full(method, projection, read_view_triangle<K>(in.data + 3 * t * stride, in.attributes),
+              polygon);
+    Writer writer = access.block(1);
+    write_polygon(polygon, writer.next);
+    writer.add(t, polygon.size());
+    access.commit(writer);
+    ++(polygon.empty() ? access.tally().rejected : access.tally().plain);
+  }
+}
+
+template <int K>
+int cut_with(Method method, const ClipVolume& volume, int attributes, const float* const vertex[3],
+             float* out) {
+  ClipTriangle<float, K> triangle;
+  for (std::size_t i = 0; i < 3; ++i) triangle[i] = read_vertex<K>(vertex[i], attributes);
+  ClipPolygon<float, K> polygon;
+  clip_stage(method, volume, triangle, polygon);
+  write_polygon(polygon, out);
+  return polygon.size();
+}
+
+template <int K>
+int cut_full_with(Method method, const Projection<float>& projection, int attributes,
+                  const float* vertices, float* out) {
+  NdcPolygon<float, K> polygon;
+  clip_full(method, projection, read_view_triangle<K>(vertices, attributes), polygon);
+  write_polygon(polygon, out);
+  return polygon.size();
+}
+
+template <class V, class Count>
+bool cut_corners_with(DepthRange depth, Outcode planes, const V* const vertex[3],
+                      barycentric::CutTriangle& cut, Count& count) {
+  const auto row_of = [&](Plane plane) {
+    const barycentric::PlaneForm form = barycentric::plane_form(depth, plane);
+    barycentric::Values c, w;
+    for (std::size_t i = 0; i < 3; ++i) {
+      c[i] = vertex[i][form.axis];
+      w[i] = vertex[i][3];
+    }
+    return barycentric::clip_row(form, plane, c, w);
+  };
+  barycentric::cut_triangle(planes, row_of, cut, count);
+  return cut.corners.size() >= 3;
+}
+
+}  // namespace
+
+void copy(Method method, const ClipVolume& volume, const VertexArray& in, Output& out) {
+  const auto at = [&]<int K>(std::integral_constant<int, K>, std::size_t t) {
+    ClipTriangle<float, K> r;
+    for (std::size_t i = 0; i < 3; ++i) {
+      r[i] = read_vertex<K>(in.data + (3 * t + i) * in.stride(), in.attributes);
+    }
+    return r;
+  };
+  run(method, volume, in.count / 3, in.attributes, Inside::written, at, out);
+}
+
+void reference(Method method, const ClipVolume& volume, const TriangleStreams& in, Output& out) {
+  const auto at = [&]<int K>(std::integral_constant<int, K>, std::size_t t) {
+    ClipTriangle<float, K> r;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (int c = 0; c < 4; ++c) r[i].position[c] = in.positions[i][c][t];
+      r[i].attributes.resize(in.attribute_count);
+      for (int k = 0; k < in.attribute_count; ++k) {
+        r[i].attributes[k] =
+            in.attributes[(3 * t + i) * static_cast<std::size_t>(in.attribute_count) + k];
+      }
+    }
+    return r;
+  };
+  run(method, volume, in.count, in.attribute_count, Inside::named, at, out);
+}
+
+void indexed(Method method, const ClipVolume& volume, const IndexedMesh& mesh, Output& out) {
+  const VertexArray& in = mesh.vertices;
+  const auto at = [&]<int K>(std::integral_constant<int, K>, std::size_t t) {
+    ClipTriangle<float, K> r;
+    for (std::size_t i = 0; i < 3; ++i) {
+      r[i] = read_vertex<K>(in.data + mesh.indices[3 * t + i] * in.stride(), in.attributes);
+    }
+    return r;
+  };
+  run(method, volume, mesh.indices.size() / 3, in.attributes, Inside::named, at, out);
+}
+
+// Four attributes have code of their own.
+void full(Method method, const Projection<float>& projection, const ViewVertexArray& in,
+          Output& out) {
+  if (in.attributes == 4) return full<4>(method, projection, in, out);
+  full<kRunTime>(method, projection, in, out);
+}
+
+int cut(Method method, const ClipVolume& volume, int attributes, const float* const vertex[3],
+        float* out) {
+  if (attributes == 4) return cut_with<4>(method, volume, attributes, vertex, out);
+  return cut_with<kRunTime>(method, volume, attributes, vertex, out);
+}
+
+int cut_full(Method method, const Projection<float>& projection, int attributes,
+             const float* vertices, float* out) {
+  if (attributes == 4) return cut_full_with<4>(method, projection, attributes, vertices, out);
+  return cut_full_with<kRunTime>(method, projection, attributes, vertices, out);
+}
+
+bool cut_corners(DepthRange depth, Outcode planes, const double* const vertex[3],
+                 barycentric::CutTriangle& cut) {
+  RoundedSigns signs;
+  return cut_corners_with(depth, planes, vertex, cut, signs);
+}
+
+bool cut_corners(DepthRange depth, Outcode planes, const float* const vertex[3],
+                 barycentric::CutTriangle& cut) {
+  RoundedSigns signs;
+  return cut_corners_with(depth, planes, vertex, cut, signs);
+}
+
+bool cut_corners_exactly(DepthRange depth, Outcode planes, const float* const vertex[3],
+                         barycentric::CutTriangle& cut) {
+  barycentric::CountNothing count;
+  return cut_corners_with(depth, planes, vertex, cut, count);
+}
+
+}  // namespace clipscope::batch::plain

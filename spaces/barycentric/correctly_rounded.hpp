@@ -12,11 +12,11 @@
 // vertex is first, along an edge whichever triangle is clipped, and for positions times 2^k as long as
 // these neither over- nor underflow (1/w apart, which is divided by it).
 //
-// Degenerate answers: a polygon of fewer than three vertices is nothing; vertices with w = 0 (in the
-// closed volume only (0, 0, 0, 0), with depth clamp (0, 0, z, 0) as well) are left out; vertices that
-// coincide in NDC count once, and the attributes are those of the first. That happens for triangles
-// without an area in NDC alone, and is the one case where the order of the input shows. With depth
-// clamp z may round to infinity: then nothing comes out.
+// Degenerate answers: a polygon of fewer than three corners is nothing; vertices with w = 0 (in the
+// closed volume only (0, 0, 0, 0), with depth clamp (0, 0, z, 0) as well) are left out. Of a triangle
+// without an area in NDC some corners may be one point there, with other attributes; all of them are
+// kept, so that the order of the input shows in nothing. With depth clamp z may round to infinity: then
+// nothing comes out.
 // Attributes that are not finite are interpolated in double without a promise; a triangle that is cut
 // by a clip distance that is not finite yields nothing.
 //
@@ -27,6 +27,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 
 #include "spaces/barycentric/exact_corners.hpp"
@@ -45,7 +46,7 @@ struct CorrectlyRounded {
       "truth";
   static constexpr std::string_view source = "this project";
   // x/w and 1/w are rounded, once each.
-  static constexpr Promise promise{.ulps = 2, .watertight = true};
+  static constexpr Promise promise{.ulps = 2, .watertight = true, .correctly_rounded = true};
 
   // `count` is called with the barycentric::Stage that settled each sign and quotient.
   // Pre-condition: is_valid(projection.frustum), and the volume has its depth range.
@@ -58,7 +59,7 @@ struct CorrectlyRounded {
     const barycentric::ViewRows rows = barycentric::view_rows(frustum, triangle);
     barycentric::CutTriangle cut;
     if (!barycentric::cut_view_triangle(projection.volume, triangle, rows, cut, count)) return;
-    fill(cut.corners, barycentric::ViewPoints<K>(frustum, rows, triangle), triangle, out, count);
+    fill(cut.corners, barycentric::ViewPoints(frustum, rows, triangle), triangle, out, count);
   }
 
   template <int K, class Count = barycentric::CountNothing>
@@ -74,10 +75,9 @@ struct CorrectlyRounded {
   // The polygon in clip coordinates: x, y, z, w and the attributes at the points of the triangle,
   // sum lambda_i p_i / sum lambda_i, are the floats nearest to the exact values. On the planes
   // x = -w, x = w and so on hold to the bit, and z = +0 where the bound is 0.
-  // Vertices of the triangle come out as they are, bit for bit.
-  // The vertices are those with an exact w > 0; w may round to 0. If the triangle has no area in NDC,
-  // some may be one point there. Fewer than three vertices are nothing. Nothing overflows, since all
-  // lies between the vertices of the triangle.
+  // Vertices of the triangle come out as they are, bit for bit. The vertices are those of the polygon in
+  // NDC, all with an exact w > 0, which may round to 0. Nothing overflows, since all lies between the
+  // vertices of the triangle.
   template <int K, class Count = barycentric::CountNothing>
   static void stage(const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
                     ClipPolygon<float, K>& out, Count&& count = {}) {
@@ -101,35 +101,39 @@ struct CorrectlyRounded {
     out.drop_if_degenerate();
   }
 
+  // The stages that settle a batch. Where: the projection of view-space triangles, or a volume.
+  template <class Where, class AnyTriangle>
+  static barycentric::CountStages count_stages(const Where& where,
+                                               std::span<const AnyTriangle> triangles) {
+    barycentric::CountStages count;
+    using Vertex = typename AnyTriangle::value_type;
+    NdcPolygon<float, attribute_count(static_cast<const Vertex*>(nullptr))> out;
+    for (const AnyTriangle& triangle : triangles) CorrectlyRounded{}(where, triangle, out, count);
+    return count;
+  }
+
  private:
+  template <Space S, int K>
+  static constexpr int attribute_count(const clipscope::Vertex<S, float, K>*) {
+    return K;
+  }
+
   using Coordinates = std::array<barycentric::Values, 4>;  // x, y, z, w
 
-  // The corners with w > 0 in NDC, those that coincide once.
+  // The corners with w > 0 in NDC.
   template <Space S, int K, class Points, class Count>
   static void fill(const barycentric::Corners& corners, const Points& points,
                    const Triangle<S, float, K>& triangle, NdcPolygon<float, K>& out, Count& count) {
-    std::array<const barycentric::Meeting*, kMaxPolygonVertices> kept;
     for (const barycentric::Corner& corner : corners) {
       if (side(corner.at, points.w(), count) <= 0) continue;
       NdcVertex<float, K> v;
       v.position = points.position(corner.at, count);
-      bool seen = false;
-      for (int i = 0; i < out.size() && !seen; ++i) {
-        seen = have_same_coordinates(out[i].position, v.position) &&
-               points.coincide(*kept[i], corner.at);
-      }
-      if (seen) continue;
       set_attributes(corner.at, divisor(corner.at, barycentric::kOnes), triangle, v.attributes,
                      count);
-      kept[out.size()] = &corner.at;
       out.push_back(v);
     }
     out.drop_if_degenerate();
     clear_if_overflowed(out);
-  }
-
-  static bool have_same_coordinates(const Vec4<float>& a, const Vec4<float>& b) {
-    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
   }
 };
 

@@ -243,14 +243,6 @@ class ClipPoints {
     return r;
   }
 
-  // Whether two meetings are one point in NDC, exactly.
-  bool coincide(const Meeting& a, const Meeting& b) const {
-    for (int c = 0; c < 3; ++c) {
-      if (!has_same_quotient(a, b, coordinates_[c], coordinates_[3])) return false;
-    }
-    return true;
-  }
-
  private:
   DepthRange depth_;
   const std::array<Values, 4>& coordinates_;

@@ -20,7 +20,7 @@
 //   a denominator times a midpoint of floats      2^903   a multiple of 2^-1044 (midpoints: of 2^-150)
 //
 // All are multiples of 2^-1074 below 2^1024: nothing under- or overflows, and nothing needs to be
-// scaled. `has_same_quotient` multiplies two of them; its pre-condition keeps it in the range.
+// scaled.
 //
 // Lemma (filter). Let v be a sum of products, and let every product pass through at most k roundings of
 // its factors, itself and sums in double, u = 2^-53. Let M be computed by the same operations on
@@ -247,17 +247,6 @@ float rounded_quotient(const Meeting& m, const Values& numerator, const Divisor&
     return ExactQuotient{exact_dot(lambda, numerator), exact_dot(lambda, by.values)};
   };
   return rounded_quotient(dot(m, numerator), by, 1, exact, count);
-}
-
-// Whether a.numerator / a.denominator = b.numerator / b.denominator at two meetings, exactly.
-// Pre-condition: numerator at one meeting and denominator at the other have together a degree of at most 7,
-// as in clip space, where all lines are of degree 1.
-inline bool has_same_quotient(const Meeting& a, const Meeting& b, const Values& numerator,
-                              const Values& denominator) {
-  const ExactLambda at_a = exact_lambda(a), at_b = exact_lambda(b);
-  const auto difference = exact_dot(at_a, numerator) * exact_dot(at_b, denominator) -
-                          exact_dot(at_b, numerator) * exact_dot(at_a, denominator);
-  return difference.sign() == 0;
 }
 
 }  // namespace clipscope::barycentric

@@ -172,30 +172,13 @@ bool cut_view_triangle(const ClipVolume& volume, const ViewTriangle<float, K>& t
   return cut.corners.size() >= 3;
 }
 
-// Whether the vertices lie on a line or in a point: all minors of the edges vanish.
-template <int K>
-bool is_collinear(const ViewTriangle<float, K>& triangle) {
-  const auto difference = [&](int i, int c) {
-    const auto [sum, error] =
-        bounds::two_sum(double{triangle[i].position[c]}, -double{triangle[0].position[c]});
-    return Expansion<2>(sum, error);
-  };
-  for (int c = 0; c < 3; ++c) {
-    const int d = (c + 1) % 3;
-    const auto minor = difference(1, c) * difference(2, d) - difference(1, d) * difference(2, c);
-    if (minor.sign() != 0) return false;
-  }
-  return true;
-}
-
 // The points of a view-space triangle in NDC.
-template <int K>
 class ViewPoints {
  public:
+  template <int K>
   ViewPoints(const Frustum<float>& frustum, const ViewRows& rows,
              const ViewTriangle<float, K>& triangle)
       : frustum_(frustum),
-        triangle_(triangle),
         numerators_{{{rows[0], 1, rows[1], -1, 0},
                      {rows[2], 1, rows[3], -1, 0},
                      depth_numerator(frustum, rows[4], rows[5])}},
@@ -220,20 +203,6 @@ class ViewPoints {
     return r;
   }
 
-  // Whether two corners are one point: the projection, being regular, keeps points apart where w > 0.
-  // Of a triangle with an area no two corners are. Else all planes' rows are combinations of (1, 1, 1)
-  // and one other, so that no two of them meet at a corner, where lambda has a sum > 0: lambda has a
-  // degree of at most 3, for a plane and a clip distance, and the products one of 7.
-  bool coincide(const Meeting& a, const Meeting& b) const {
-    if (!is_collinear(triangle_)) return false;
-    for (int c = 0; c < 3; ++c) {
-      Values v;
-      for (int i = 0; i < 3; ++i) v[i] = triangle_[i].position[c];
-      if (!has_same_quotient(a, b, v, kOnes)) return false;
-    }
-    return true;
-  }
-
  private:
   bool is_perspective() const { return frustum_.kind == ProjectionKind::perspective; }
 
@@ -252,7 +221,6 @@ class ViewPoints {
   }
 
   const Frustum<float>& frustum_;
-  const ViewTriangle<float, K>& triangle_;
   std::array<RowCombination, 3> numerators_;
   std::array<Scale, 3> scales_;
   Line w_;

@@ -30,10 +30,9 @@ Rows rows(const Polygon<S, float, kAttributes>& polygon) {
   return r;
 }
 
-// What a clipper has to yield: no polygon of fewer than three vertices, no infinite z.
+// No infinite z.
 inline Rows rounded(const ExactPolygon& exact) {
   Rows r;
-  if (exact.vertices.size() < 3) return r;
   for (const ExactVertex& v : exact.vertices) {
     Row& row = r.emplace_back(Row{round_to<float>(v.x), round_to<float>(v.y), round_to<float>(v.z),
                                   round_to<float>(v.inv_w)});
@@ -50,6 +49,51 @@ inline bool same_bits(const Row& a, const Row& b) {
 
 inline bool same_bits(const Rows& a, const Rows& b) {
   return std::ranges::equal(a, b, [](const Row& x, const Row& y) { return same_bits(x, y); });
+}
+
+// Whether a polygon has an area in NDC, exactly: three of its vertices are not on a line.
+inline bool has_area(const ExactPolygon& polygon) {
+  const auto& v = polygon.vertices;
+  const auto difference = [](const Fraction& a, const Fraction& b) {
+    const Rational r = to_rational(a) - to_rational(b);
+    return r;
+  };
+  for (std::size_t i = 2; i < v.size(); ++i) {
+    const std::array<Rational, 3> a = {difference(v[1].x, v[0].x), difference(v[1].y, v[0].y),
+                                       difference(v[1].z, v[0].z)};
+    const std::array<Rational, 3> b = {difference(v[i].x, v[0].x), difference(v[i].y, v[0].y),
+                                       difference(v[i].z, v[0].z)};
+    for (int c = 0; c < 3; ++c) {
+      const int d = (c + 1) % 3;
+      if (a[c] * b[d] != a[d] * b[c]) return true;
+    }
+  }
+  return false;
+}
+
+// Whether it has all rows of `exact` in order, and others at their places alone.
+inline bool repeats(const Rows& computed, const Rows& exact) {
+  std::size_t found = 0;
+  for (const Row& row : computed) {
+    const auto at_its_place = [&](const Row& e) {
+      return e[0] == row[0] && e[1] == row[1] && e[2] == row[2];
+    };
+    if (found < exact.size() && same_bits(row, exact[found])) {
+      ++found;
+    } else if (std::ranges::none_of(exact, at_its_place)) {
+      return false;
+    }
+  }
+  return found == exact.size();
+}
+
+// Whether a clipper has to yield `computed`: the exact polygon rounded, or, if that has no area, one with
+// vertices repeated, or nothing in the place of fewer than three.
+inline bool agrees(const Rows& computed, const ExactPolygon& exact) {
+  const Rows nearest = rounded(exact);
+  if (exact.vertices.size() >= 3 && same_bits(computed, nearest)) return true;
+  if (has_area(exact)) return false;
+  return repeats(computed, nearest) || (computed.empty() && exact.vertices.size() < 3);
 }
 
 // The same polygon, from whichever vertex on.

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "experiments/contestants/contestants_of.hpp"
-#include "experiments/cost/staged.hpp"
 #include "experiments/measure/batches.hpp"
+#include "experiments/measure/staged.hpp"
 
 namespace clipscope::experiments {
 namespace {

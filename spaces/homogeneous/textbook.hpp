@@ -31,7 +31,21 @@ struct Textbook : StartsInClipSpace<Textbook> {
   static void clip(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
                    NdcPolygon<T, K>& out) {
     out.clear();
-    if (!has_finite_positions(triangle)) return;
+    for (const ClipVertex<T, K>& v : cut(volume, triangle)) {
+      if (T(0) < v.position[3]) {
+        out.push_back(to_ndc(v));
+      }
+    }
+    out.drop_if_degenerate();
+    clear_if_overflowed(out);
+  }
+
+  // The part of the triangle in the volume, before the divide; it may have fewer than three vertices, and some
+  // with w = 0. Empty for a triangle that is not finite.
+  template <Scalar T, int K>
+  static std::vector<ClipVertex<T, K>> cut(const ClipVolume& volume,
+                                           const ClipTriangle<T, K>& triangle) {
+    if (!has_finite_positions(triangle)) return {};
     std::vector<ClipVertex<T, K>> polygon(triangle.begin(), triangle.end());
     const std::array<Vec4<T>, kPlanes> planes = plane_vectors<T>(volume.depth);
     for_each_plane(planes_of(volume), kAllPlanes, [&](Plane plane) {
@@ -45,13 +59,7 @@ struct Textbook : StartsInClipSpace<Textbook> {
                      polygon);
       }
     });
-    for (const ClipVertex<T, K>& v : polygon) {
-      if (T(0) < v.position[3]) {
-        out.push_back(to_ndc(v));
-      }
-    }
-    out.drop_if_degenerate();
-    clear_if_overflowed(out);
+    return polygon;
   }
 
  private:

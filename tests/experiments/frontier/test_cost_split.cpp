@@ -3,9 +3,9 @@
 // Where time goes: a clipper with a step left out computes what the whole one computes before that step.
 #include "experiments/contestants/contestants_of.hpp"
 #include "experiments/cost/split.hpp"
-#include "experiments/cost/staged.hpp"
 #include "experiments/cost/tables.hpp"
 #include "experiments/measure/batches.hpp"
+#include "experiments/measure/staged.hpp"
 #include "experiments/report/row_view.hpp"
 #include "experiments/scenes/builtin.hpp"
 #include "tests/catch.hpp"

@@ -37,6 +37,17 @@ class PolygonStream {
     used_ += static_cast<std::size_t>(polygon.size());
     ends_.push_back(used_);
   }
+  // Many polygons at once, from their vertices one after the other: polygon i, of `polygons`, ends before
+  // vertex end_of(i). It is called for each in turn.
+  template <class EndOf>
+  void append(std::span<const NdcVertex<T, K>> vertices, std::size_t polygons, EndOf&& end_of) {
+    if (vertices_.size() < used_ + vertices.size()) {
+      vertices_.resize(2 * (used_ + vertices.size()));
+    }
+    std::copy(vertices.begin(), vertices.end(), vertices_.data() + used_);
+    for (std::size_t i = 0; i < polygons; ++i) ends_.push_back(used_ + end_of(i));
+    used_ += vertices.size();
+  }
   std::size_t size() const { return ends_.size(); }
   std::span<const NdcVertex<T, K>> operator[](std::size_t i) const {
     const std::size_t begin = i == 0 ? 0 : ends_[i - 1];

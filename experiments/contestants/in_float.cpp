@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All clippers compiled for the scalar float.
+// All clippers compiled for the scalar float, and after them the batch clippers, which there are in float alone.
+#include "experiments/contestants/batch_contestants.hpp"
 #include "experiments/contestants/contestants_of.hpp"
 
 namespace clipscope::experiments {
 
 template <>
 std::span<const Contestant<float>> contestants<float>() {
-  return contestants_of<float, 3>(AllClippers{});
+  static const std::vector<Contestant<float>> all = [] {
+    const auto scalar = contestants_of<float, 3>(AllClippers{});
+    std::vector<Contestant<float>> list(scalar.begin(), scalar.end());
+    for (const Contestant<float>& contestant : batch_contestants()) list.push_back(contestant);
+    return list;
+  }();
+  return all;
 }
 
 template <>

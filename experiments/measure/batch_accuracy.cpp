@@ -10,30 +10,41 @@
 #include "experiments/measure/compare.hpp"
 #include "experiments/measure/nearest_float.hpp"
 #include "experiments/measure/screen_distance.hpp"
+#include "experiments/measure/stage_check.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
-constexpr int kCoordinates = 4;  // x, y, z, 1/w
+constexpr int kCoordinates = 4;  // x, y, z, 1/w; in the stage x, y, z, w
+
+using KeptNumbers = std::array<float, kCoordinates>;  // of a vertex, in a vertex buffer
 
 // The exact answer, its place on screen and its coordinates as the nearest floats.
 struct RoundedTruth {
   TruthPolygon polygon;
   std::vector<ScreenPoint> screen;
-  std::vector<std::array<float, kCoordinates>> nearest;
+  std::vector<KeptNumbers> nearest;
 };
 
-RoundedTruth rounded_truth(const reference::Truth& truth, const SceneTriangle& triangle) {
-  RoundedTruth r{truth_polygon(truth, reference::input_triangle(triangle)), {}, {}};
+// nearest(v): the nearest floats to the coordinates of an exact vertex.
+template <class Nearest>
+RoundedTruth rounded_truth(const reference::Truth& truth, const reference::InputTriangle& triangle,
+                           const Nearest& nearest) {
+  RoundedTruth r{truth_polygon(truth, triangle), {}, {}};
   for (std::size_t i = 0; i < r.polygon.exact.vertices.size(); ++i) {
     const std::vector<double>& v = r.polygon.approximation[i];
     r.screen.push_back(screen_point(v[0], v[1]));
-    for (auto& numbers = r.nearest.emplace_back(); int c : {0, 1, 2, 3}) {
-      numbers[static_cast<std::size_t>(c)] =
-          reference::round_to<float>(coordinate(r.polygon.exact.vertices[i], c));
-    }
+    r.nearest.push_back(nearest(r.polygon.exact.vertices[i]));
   }
   return r;
+}
+
+KeptNumbers nearest_in_ndc(const reference::ExactVertex& v) {
+  KeptNumbers numbers;
+  for (int c = 0; c < kCoordinates; ++c) {
+    numbers[static_cast<std::size_t>(c)] = reference::round_to<float>(coordinate(v, c));
+  }
+  return numbers;
 }
 
 struct Judgement {
@@ -42,16 +53,17 @@ struct Judgement {
   int coordinates = 0, correctly_rounded = 0;
 };
 
-template <class T>
+// kept(v): what is left of a vertex of the answer in a vertex buffer.
+template <class T, class Kept>
 int correctly_rounded(const std::vector<const NdcVertex<T, kSceneAttributes>*>& vertices,
-                      const std::vector<ScreenPoint>& screen, const RoundedTruth& truth) {
+                      const std::vector<ScreenPoint>& screen, const RoundedTruth& truth,
+                      const Kept& kept) {
   const std::size_t rotation = best_rotation(truth.screen, screen);
   int count = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto& v = *vertices[(i + rotation) % vertices.size()];
-    for (int c = 0; c < kCoordinates; ++c) {
-      const float nearest = truth.nearest[i][static_cast<std::size_t>(c)];
-      if (nearest_float(v.position[c]) == nearest) ++count;
+    const KeptNumbers numbers = kept(*vertices[(i + rotation) % vertices.size()]);
+    for (std::size_t c = 0; c < kCoordinates; ++c) {
+      if (numbers[c] == truth.nearest[i][c]) ++count;
     }
   }
   return count;
@@ -68,9 +80,9 @@ double error_of_wrong(Outcome outcome, const std::vector<ScreenPoint>& answer,
   }
 }
 
-template <class T>
-Judgement judge(std::span<const NdcVertex<T, kSceneAttributes>> polygon,
-                const RoundedTruth& truth) {
+template <class T, class Kept>
+Judgement judge(std::span<const NdcVertex<T, kSceneAttributes>> polygon, const RoundedTruth& truth,
+                const Kept& kept) {
   const Comparison comparison = compare<T, kSceneAttributes>(polygon, truth.polygon);
   if (!comparison.visible) return {};
   const auto vertices = distinct_vertices(polygon);
@@ -85,7 +97,7 @@ Judgement judge(std::span<const NdcVertex<T, kSceneAttributes>> polygon,
   } else {
     r.error_px = comparison.position_px;
     r.coordinates = kCoordinates * static_cast<int>(vertices.size());
-    r.correctly_rounded = correctly_rounded<T>(vertices, screen, truth);
+    r.correctly_rounded = correctly_rounded<T>(vertices, screen, truth, kept);
   }
   return r;
 }
@@ -111,10 +123,42 @@ std::vector<Judgement> judge_batch(const Contestant<T>& contestant, const TimedB
   const auto triangles = simplices_cast<T>(batch.triangles);
   PolygonStream<T, kSceneAttributes> polygons;
   contestant.view(projection_of<T>(batch.view), triangles, polygons);
+  const auto kept = [](const NdcVertex<T, kSceneAttributes>& v) {
+    return KeptNumbers{nearest_float(v.position[0]), nearest_float(v.position[1]),
+                       nearest_float(v.position[2]), nearest_float(v.position[3])};
+  };
   std::vector<Judgement> judgements(triangles.size());
   tbb::parallel_for(std::size_t{0}, triangles.size(),
-                    [&](std::size_t i) { judgements[i] = judge<T>(polygons[i], truths[i]); });
+                    [&](std::size_t i) { judgements[i] = judge<T>(polygons[i], truths[i], kept); });
   return judgements;
+}
+
+// Of each triangle what a renderer would draw: its polygon, or itself if it is listed as inside.
+std::vector<std::span<const float>> drawn_polygons(const StageInput& input,
+                                                   const StageAnswer& answer) {
+  std::vector<std::span<const float>> drawn(input.array_size());
+  for (const std::uint32_t t : answer.inside) {
+    drawn[t] = {input.vertex(StageContract::copy, t, 0), 3 * input.stride()};
+  }
+  for (std::size_t i = 0; i < answer.polygons.size(); ++i) {
+    drawn[answer.polygons[i].triangle] = answer.polygon(i);
+  }
+  return drawn;
+}
+
+Judgement judge_in_clip_space(std::span<const float> polygon, std::size_t stride,
+                              const RoundedTruth& truth) {
+  std::vector<NdcVertex<double, kSceneAttributes>> divided;
+  for (std::size_t i = 0; i < polygon.size(); i += stride) {
+    const float* v = polygon.data() + i;
+    divided.push_back({to_ndc(Vec4<double>(v[0], v[1], v[2], v[3])), {}});
+    for (int k = 0; k < kSceneAttributes; ++k) divided.back().attributes[k] = v[4 + k];
+  }
+  const auto kept = [&](const NdcVertex<double, kSceneAttributes>& v) {
+    const float* numbers = polygon.data() + static_cast<std::size_t>(&v - divided.data()) * stride;
+    return KeptNumbers{numbers[0], numbers[1], numbers[2], numbers[3]};
+  };
+  return judge<double>(std::span<const NdcVertex<double, kSceneAttributes>>(divided), truth, kept);
 }
 
 double percent(std::int64_t part, std::int64_t whole) {
@@ -138,8 +182,10 @@ std::vector<BatchAccuracy> judge_batches(std::span<const TimedBatch> batches,
     const TimedBatch& batch = batches[b];
     const auto truth = reference::Truth::of_frustum(frustum_cast<double>(batch.view.frustum));
     std::vector<RoundedTruth> truths(batch.triangles.size());
-    tbb::parallel_for(std::size_t{0}, truths.size(),
-                      [&](std::size_t i) { truths[i] = rounded_truth(truth, batch.triangles[i]); });
+    tbb::parallel_for(std::size_t{0}, truths.size(), [&](std::size_t i) {
+      truths[i] =
+          rounded_truth(truth, reference::input_triangle(batch.triangles[i]), nearest_in_ndc);
+    });
     for (std::size_t c = 0; c < contestants.size(); ++c) {
       const auto judgements = std::visit(
           [&](const auto* contestant) { return judge_batch(*contestant, batch, truths); },
@@ -147,6 +193,30 @@ std::vector<BatchAccuracy> judge_batches(std::span<const TimedBatch> batches,
       for (std::size_t i = 0; i < judgements.size(); ++i) add(judgements[i], b, i, results[c]);
       progress.advance(batch.triangles.size());
     }
+  }
+  return results;
+}
+
+std::vector<BatchAccuracy> judge_stage(const StageInput& input, const StageContestants& contestants,
+                                       Progress& progress) {
+  const auto truth = reference::Truth::of_clip(input.volume);
+  const std::size_t triangles = input.array_size();
+  std::vector<RoundedTruth> truths(triangles);
+  tbb::parallel_for(std::size_t{0}, triangles, [&](std::size_t i) {
+    truths[i] = rounded_truth(truth, input_triangle(input, StageContract::copy, i),
+                              [](const reference::ExactVertex& v) { return nearest_in_clip(v); });
+  });
+  std::vector<BatchAccuracy> results(contestants.size());
+  for (std::size_t c = 0; c < contestants.size(); ++c) {
+    contestants[c]->clip(input, 0, triangles);
+    const StageAnswer answer = contestants[c]->answer();
+    const auto drawn = drawn_polygons(input, answer);
+    std::vector<Judgement> judgements(triangles);
+    tbb::parallel_for(std::size_t{0}, triangles, [&](std::size_t i) {
+      judgements[i] = judge_in_clip_space(drawn[i], answer.stride, truths[i]);
+    });
+    for (std::size_t i = 0; i < triangles; ++i) add(judgements[i], 0, i, results[c]);
+    progress.advance(triangles);
   }
   return results;
 }

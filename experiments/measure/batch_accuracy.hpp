@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Accuracy on the very triangles that are timed, against the exact frustum (T_frustum).
+// Accuracy on the very triangles that are timed, against the exact frustum (T_frustum); in the stage
+// contract, whose input are clip-space triangles, against these (T_clip).
 //
 // Two measures that compare across scalars and leave no failure out:
 //
@@ -10,7 +11,7 @@
 //                      far that reaches on screen. Infinite for a coordinate that is not a number.
 //   correctly rounded  coordinates (x, y, z, 1/w) that are, kept as floats, the floats nearest to the
 //                      exact ones: what is left of an answer in a vertex buffer, whatever scalar it was
-//                      computed in. A triangle with the wrong vertices has none.
+//                      computed in. A triangle with the wrong vertices has none. In the stage it is x, y, z, w.
 //
 // Triangles are judged in parallel and tallied in order: the result does not depend on the threads.
 #pragma once
@@ -20,6 +21,7 @@
 #include <vector>
 
 #include "experiments/contestants/contestant.hpp"
+#include "experiments/measure/stage_contestants.hpp"
 #include "experiments/measure/statistics.hpp"
 #include "experiments/measure/timing.hpp"
 #include "experiments/report/progress.hpp"
@@ -43,5 +45,10 @@ struct BatchAccuracy {
 std::vector<BatchAccuracy> judge_batches(std::span<const TimedBatch> batches,
                                          std::span<const AnyContestant> contestants,
                                          Progress& progress);
+
+// The same for the stage, on every triangle of a soup with four attributes. Triangles that come out by number
+// are drawn as they went in. Pre-condition: finite.
+std::vector<BatchAccuracy> judge_stage(const StageInput& input, const StageContestants& contestants,
+                                       Progress& progress);
 
 }  // namespace clipscope::experiments

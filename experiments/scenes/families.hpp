@@ -31,6 +31,10 @@ Scene make_slivers_scene(const SceneOptions&);
 // Pre-condition: segments >= 1.
 Mesh teapot_mesh(int segments);
 
+// The terrain with 2^levels x 2^levels quads over the same ground, two triangles each.
+// Pre-condition: levels >= 1.
+Scene terrain_of_levels(int levels, std::uint64_t seed);
+
 // Adds a vertex rounded to float and yields its index.
 std::uint32_t add_vertex(Mesh& mesh, const glm::dvec3& position,
                          const std::array<double, kSceneAttributes>& attributes);

@@ -99,7 +99,11 @@ Mesh mesh_of(const HeightField& field) {
 }  // namespace
 
 Scene make_terrain_scene(const SceneOptions& options) {
-  const HeightField field(options.quick ? 6 : 7, options.seed);
+  return terrain_of_levels(options.quick ? 6 : 7, options.seed);
+}
+
+Scene terrain_of_levels(int levels, std::uint64_t seed) {
+  const HeightField field(levels, seed);
   const auto above = [&](double x, double z, double height) {
     return glm::dvec3(x, field.near_to(x, z) + height, z);
   };

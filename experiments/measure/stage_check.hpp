@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Does a contestant of the stage contract answer as it promises?
+//
+// Of every triangle looked at: it goes the way that its outcodes say (they are comparisons of floats, hence
+// exact; the exact reference is asked as well where it clips anyway), numbers ascend, and a triangle that is
+// inside comes out as it went in. Of those that are cut:
+//
+//   bits_of_scalar     the polygon is that of homogeneous/sutherland_hodgman before its divide, bit for bit, up
+//                      to the vertex that it begins with
+//   correctly_rounded  the exact polygon, each coordinate x_ndc / (1/w) and attribute rounded once
+//   float_chain, rounded_once
+//                      the backward error in clip space (experiments/measure/promise.hpp) is within the bound
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "experiments/measure/stage_contestants.hpp"
+#include "reference/exact_clip.hpp"
+
+namespace clipscope::experiments {
+
+struct StageCheckOptions {
+  std::size_t triangles = 1 << 16;  // at most, spread over the input in blocks
+  std::size_t exact = 256;          // cut triangles at most that are compared with exact arithmetic
+};
+
+// What was found to be wrong first; empty if nothing was.
+std::string first_broken_promise(StageContestant& contestant, const StageInput& input,
+                                 const StageCheckOptions& options);
+
+// An exact vertex in clip coordinates, x_ndc / (1/w) and so on, each the nearest float.
+std::array<float, 4> nearest_in_clip(const reference::ExactVertex& vertex);
+
+// The exact polygon, every clip coordinate and attribute the nearest float: 4 + K floats per vertex. Empty if it
+// has fewer than three vertices. Pre-condition: finite.
+std::vector<float> rounded_clip_polygon(const reference::Truth& truth,
+                                        const reference::InputTriangle& triangle);
+
+// A triangle of the input in that layout, as the reference takes it.
+reference::InputTriangle input_triangle(const StageInput& input, StageContract contract,
+                                        std::size_t triangle);
+
+}  // namespace clipscope::experiments

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Cost: mixes of triangles x clippers x scalars, timed side by side, operations counted, and where the
-// time goes: transform, cut, divide.
+// time goes: transform, cut, divide; then the same for clippers that are a stage of a renderer.
 #include <fmt/format.h>
 
 #include "experiments/cost/split.hpp"
+#include "experiments/cost/stage.hpp"
 #include "experiments/cost/tables.hpp"
 #include "experiments/experiment.hpp"
 #include "experiments/measure/machine.hpp"
@@ -74,7 +75,8 @@ void run_cost(const ExperimentContext& context) {
   }
   context.emit(cost_plot(times));
   if (!split.rows().empty()) context.emit(split_plot(split));
-  context.finding(cost_finding(times, operations));
+  const std::string stage = run_stage(context);
+  context.finding(cost_finding(times, operations) + (stage.empty() ? "" : " " + stage));
 }
 
 }  // namespace clipscope::experiments

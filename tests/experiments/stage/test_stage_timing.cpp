@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/measure/stage_timing.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/stage/inputs.hpp"
+
+using namespace clipscope;
+using namespace clipscope::experiments;
+
+namespace {
+
+const StageTimingOptions kFew{
+    .rounds = 5, .milliseconds_per_run = 0.2, .check = {.triangles = 2000, .exact = 16}};
+
+// Draws nothing.
+class Lazy final : public StageContestant {
+ public:
+  Lazy()
+      : StageContestant("lazy", "float", "plain", StageContract::copy, StagePromise::float_chain) {}
+  void clip(const StageInput& input, std::size_t, std::size_t) override {
+    stride_ = input.stride();
+  }
+  StageAnswer answer() const override { return {{}, {}, {}, stride_}; }
+
+ private:
+  std::size_t stride_ = 4;
+};
+
+// Notes which triangles it is asked for.
+class Recorder final : public StageContestant {
+ public:
+  explicit Recorder(std::vector<std::size_t>& seen)
+      : StageContestant("recorder", "float", "plain", StageContract::copy,
+                        StagePromise::float_chain),
+        seen_(seen) {}
+  void clip(const StageInput&, std::size_t first, std::size_t count) override {
+    seen_.resize(std::max(seen_.size(), first + count));
+    for (std::size_t t = first; t < first + count; ++t) ++seen_[t];
+  }
+  StageAnswer answer() const override { return {}; }
+
+ private:
+  std::vector<std::size_t>& seen_;
+};
+
+}  // namespace
+
+TEST_CASE("stage timing: every honest contestant has a sample per round and its own ratio") {
+  const StageInput input = small_soup(5000);
+  const StageMeasurement m = measure_stage(input, stage_contestants(input), kFew);
+  REQUIRE(m.contestants.size() > 3);
+  for (const StageTiming& t : m.contestants) {
+    INFO(t.method << " " << t.contract << " " << t.timing.refused);
+    REQUIRE(t.timing.refused.empty());
+    CHECK(t.timing.samples_ns.size() == 5);
+    CHECK(t.timing.ns.low > 0);
+    CHECK(t.timing.speedup.median > 0);
+    CHECK(t.limit_percent.median > 0);
+    CHECK(t.bytes.out > 0);
+  }
+  CHECK(m.contestants[0].timing.speedup.median == 1);
+  REQUIRE(m.passes.size() == 3);
+  for (const MemoryTiming& pass : m.passes) CHECK(pass.timing.ns.median > 0);
+}
+
+TEST_CASE("stage timing: who draws nothing is refused, with the reason") {
+  const StageInput input = small_soup();
+  StageContestants contestants;
+  contestants.push_back(stage_textbook());
+  contestants.push_back(std::make_unique<Lazy>());
+  const StageMeasurement m = measure_stage(input, contestants, kFew);
+  CHECK(m.contestants[1].timing.samples_ns.empty());
+  CHECK(m.contestants[1].timing.refused.find("inside") != std::string::npos);
+}
+
+TEST_CASE(
+    "stage timing: a run takes the next blocks, so that in the end all triangles had a part") {
+  const StageInput input = random_input("soup", {.inside = 1}, 3 * kStageBlock + 5, 4, 1);
+  std::vector<std::size_t> seen;
+  Recorder recorder(seen);
+  StageRun run(recorder, input);
+  for (int i = 0; i < 8; ++i) run.run();
+  REQUIRE(seen.size() == input.array_size());
+  for (const std::size_t times : seen) CHECK(times == 2);
+}
+
+TEST_CASE("stage limits: bytes are those of the arrays") {
+  const StageInput input = small_soup(100);
+  CHECK(bytes_of(MemoryPass::read_positions, input) == 3 * 4 * sizeof(float));
+  CHECK(bytes_of(MemoryPass::read_everything, input) == 3 * 8 * sizeof(float));
+  const StageBytes copy = stage_bytes(input, StageContract::copy, 7);
+  CHECK(copy.total() == 96 + 7);
+  const StageBytes reference = stage_bytes(input, StageContract::reference, 7);
+  CHECK(reference.positions == 48);
+  CHECK(reference.rest == Approx(0.3 * 48));
+}
+
+TEST_CASE("stage limits: the limit is what the passes take for the same bytes") {
+  const StageInput input = small_soup(100);
+  const std::array<double, 3> passes = {1.5, 3, 4};  // ns: positions, everything, copy
+  CHECK(limit_ns({.positions = 0, .rest = 96, .out = 96}, passes, input) == Approx(4));
+  CHECK(limit_ns({.positions = 0, .rest = 96, .out = 0}, passes, input) == Approx(3));
+  CHECK(limit_ns({.positions = 48, .rest = 0, .out = 48}, passes, input) == Approx(2));
+}

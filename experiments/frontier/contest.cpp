@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/frontier/contest.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace clipscope::experiments {
@@ -54,6 +55,34 @@ std::vector<Entry> hold_contest(std::span<const TimedBatch> batches,
   }
   for (const ErrorMeasure measure : kErrorMeasures) rank_by(measure, entries);
   return entries;
+}
+
+std::vector<std::vector<Entry>> hold_stage_contest(
+    const StageInput& input, const std::function<bool(std::string_view)>& is_selected,
+    const StageTimingOptions& options) {
+  StageContestants contestants = stage_contestants(input);
+  contestants.erase(std::remove_if(contestants.begin() + 1, contestants.end(),
+                                   [&](const auto& c) {
+                                     return c->build() == "plain" || !is_selected(c->method());
+                                   }),
+                    contestants.end());
+  Progress progress("frontier of the stage on " + input.name,
+                    input.array_size() * contestants.size());
+  const std::vector<BatchAccuracy> accuracies = judge_stage(input, contestants, progress);
+  const StageMeasurement measured = measure_stage(input, contestants, options);
+  std::vector<std::vector<Entry>> by_contract;
+  for (std::size_t i = 0; i < contestants.size(); ++i) {
+    const StageTiming& t = measured.contestants[i];
+    if (i == 0 && !is_selected(t.method)) continue;
+    if (by_contract.empty() || by_contract.back().front().contract != t.contract) {
+      by_contract.emplace_back();
+    }
+    by_contract.back().push_back({t.method, t.scalar, t.timing, accuracies[i], {}, t.contract});
+  }
+  for (std::vector<Entry>& entries : by_contract) {
+    for (const ErrorMeasure measure : kErrorMeasures) rank_by(measure, entries);
+  }
+  return by_contract;
 }
 
 std::vector<std::size_t> steps_of(std::span<const Entry> entries, ErrorMeasure measure) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One set of triangles: every contestant's time and errors on the same triangles in the same run, and
-// who is on the frontier by each measure of error.
+// who is on the frontier by each measure of error. Each contract has a frontier of its own: full, and of the
+// stage copy and reference.
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +14,7 @@
 
 #include "experiments/measure/batch_accuracy.hpp"
 #include "experiments/measure/pareto.hpp"
+#include "experiments/measure/stage_timing.hpp"
 #include "experiments/measure/timing.hpp"
 
 namespace clipscope::experiments {
@@ -30,7 +33,8 @@ struct Entry {
   std::string clipper, scalar;
   Timing timing;
   BatchAccuracy accuracy;
-  std::array<FrontierRank, kErrorMeasures.size()> ranks = {};  // by measure
+  std::array<FrontierRank, kErrorMeasures.size()> ranks = {};  // by measure, within the contract
+  std::string contract = "full";
 
   double error(ErrorMeasure measure) const;
   const FrontierRank& rank(ErrorMeasure measure) const {
@@ -46,6 +50,12 @@ std::vector<FrontierPoint> frontier_points(std::span<const Entry> entries, Error
 std::vector<Entry> hold_contest(std::span<const TimedBatch> batches,
                                 std::span<const AnyContestant> contestants,
                                 const TimingOptions& options, Progress& progress);
+
+// The stage's: judges and times those whose clipper `is_selected`, in SIMD, on all triangles of the input. Those of
+// one contract are together.
+std::vector<std::vector<Entry>> hold_stage_contest(
+    const StageInput& input, const std::function<bool(std::string_view)>& is_selected,
+    const StageTimingOptions& options);
 
 // Indices of the frontier's members by the measure, from the fastest on, each with a smaller error.
 std::vector<std::size_t> steps_of(std::span<const Entry> entries, ErrorMeasure measure);

@@ -4,6 +4,9 @@
 // run; who is not beaten in both, and what the next step costs.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "experiments/experiment.hpp"
 #include "experiments/frontier/contest.hpp"
 #include "experiments/frontier/plots.hpp"
@@ -28,15 +31,41 @@ std::size_t triangle_limit(const Selection& selection, const Scene& scene) {
   return selection.quick ? kQuickTriangles : kTriangles;
 }
 
+void record_samples(const std::string& set, std::span<const Entry> entries, CellRecord& record) {
+  for (const Entry& e : entries) {
+    if (!e.timing.refused.empty()) continue;
+    record.samples.push_back({fmt::format("{} {} {} {}", set, e.contract, e.clipper, e.scalar),
+                              "ns per triangle", e.timing.samples_ns});
+  }
+}
+
+// The stage's frontiers on the same triangles, in clip space by the float transform.
+void add_stage(const Selection& selection, const Scene& scene, const TimingOptions& timing,
+               std::array<Table*, 3> tables, CellRecord& record) {
+  const StageInput input = scene_input(scene, triangle_limit(selection, scene));
+  const StageTimingOptions options{.rounds = timing.rounds,
+                                   .milliseconds_per_run = timing.milliseconds_per_run,
+                                   .check = {.exact = timing.checked_triangles}};
+  const std::vector<AnyContestant> selected = selected_contestants(selection);
+  const auto is_selected = [&](std::string_view clipper) {
+    return std::any_of(selected.begin(), selected.end(), [&](const AnyContestant& contestant) {
+      return clipper_name(contestant) == clipper;
+    });
+  };
+  for (const std::vector<Entry>& entries : hold_stage_contest(input, is_selected, options)) {
+    add_frontier_rows(scene.name, entries, *tables[0]);
+    add_step_rows(scene.name, entries, *tables[1]);
+    add_refused_rows(scene.name, entries, *tables[2]);
+    record_samples(scene.name, entries, record);
+  }
+}
+
 void record_entries(const Selection& selection, const Scene& scene,
                     std::span<const TimedBatch> batches, std::span<const AnyContestant> contestants,
                     std::span<const Entry> entries, CellRecord& record) {
+  record_samples(scene.name, entries, record);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const Entry& e = entries[i];
-    if (e.timing.refused.empty()) {
-      record.samples.push_back({fmt::format("{} {} {}", scene.name, e.clipper, e.scalar),
-                                "ns per triangle", e.timing.samples_ns});
-    }
     if (!(e.accuracy.error_px.max() > 0)) continue;
     const TimedBatch& batch = batches[e.accuracy.worst_batch];
     const std::size_t triangle = e.accuracy.worst_triangle;
@@ -69,6 +98,7 @@ void run_frontier(const ExperimentContext& context) {
       add_step_rows(scene.name, entries, steps);
       add_refused_rows(scene.name, entries, refused);
       record_entries(selection, scene, batches, contestants, entries, record);
+      add_stage(selection, scene, options, {&frontier, &steps, &refused}, record);
     });
   }
   frontier.add_note(machine_description());
@@ -79,6 +109,11 @@ void run_frontier(const ExperimentContext& context) {
   for (const std::string& set : sets_of(frontier)) {
     for (const ErrorMeasure measure : kErrorMeasures) {
       context.emit(frontier_plot(set, measure, frontier));
+      if (measure == ErrorMeasure::wrong) continue;
+      for (const char* contract : {"copy", "reference"}) {
+        const Plot plot = frontier_plot(set, measure, frontier, contract);
+        if (!plot.series.back().x.empty()) context.emit(plot);
+      }
     }
   }
   context.finding(frontier_finding(frontier, steps));

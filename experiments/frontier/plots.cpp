@@ -34,18 +34,21 @@ bool is_named_though_dominated(const std::string& clipper, const std::string& sc
   constexpr std::array<std::string_view, 5> kNamed = {
       "textbook", "view/sutherland_hodgman", "homogeneous/sutherland_hodgman", "cvv/near_first",
       "barycentric/distance_matrix"};
+  if (clipper.find("batch") != std::string::npos) return true;
   return scalar == "float" && std::find(kNamed.begin(), kNamed.end(), clipper) != kNamed.end();
 }
 
 std::vector<PlottedPoint> plotted_points(const std::string& set, ErrorMeasure measure,
-                                         const Table& frontier) {
+                                         const Table& frontier, const std::string& contract) {
   const FrontierKeys keys = frontier_keys(measure);
   std::vector<PlottedPoint> points;
   for (const RowView& row : rows_of(frontier)) {
     const std::string& standing = row.text(keys.on);
-    if (row.text("set") != set || standing == "not timed") continue;
+    if (row.text("set") != set || row.text("contract") != contract) continue;
+    if (standing == "not timed") continue;
     const std::string &clipper = row.text("clipper"), &scalar = row.text("scalar");
-    const bool named = standing == "yes" || is_named_though_dominated(clipper, scalar);
+    const bool named =
+        contract != "full" || standing == "yes" || is_named_though_dominated(clipper, scalar);
     points.push_back({named ? short_name(clipper) + " " + scalar : "",
                       row.number("ns_per_triangle"), row.number("ns_low"), row.number("ns_high"),
                       row.number(keys.error), standing == "yes"});
@@ -92,8 +95,9 @@ std::string error_label(ErrorMeasure measure) {
   }
 }
 
-std::string file_name(const std::string& set, ErrorMeasure measure) {
-  std::string name = fmt::format("frontier_{}_{}", set, error_measure_name(measure));
+std::string file_name(const std::string& set, ErrorMeasure measure, const std::string& contract) {
+  const std::string of = contract == "full" ? set : set + "_" + contract;
+  std::string name = fmt::format("frontier_{}_{}", of, error_measure_name(measure));
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c) && c != '_'; }, '_');
   return name;
@@ -101,8 +105,9 @@ std::string file_name(const std::string& set, ErrorMeasure measure) {
 
 }  // namespace
 
-Plot frontier_plot(const std::string& set, ErrorMeasure measure, const Table& frontier) {
-  const std::vector<PlottedPoint> points = plotted_points(set, measure, frontier);
+Plot frontier_plot(const std::string& set, ErrorMeasure measure, const Table& frontier,
+                   const std::string& contract) {
+  const std::vector<PlottedPoint> points = plotted_points(set, measure, frontier, contract);
   const double floor = floor_beneath(points);
   Series line{.name = "not dominated", .x = {}, .y = {}};
   Series ties{
@@ -121,8 +126,9 @@ Plot frontier_plot(const std::string& set, ErrorMeasure measure, const Table& fr
     }
   }
   const Series exact = exact_line(points, floor);
-  Plot plot{.name = file_name(set, measure),
-            .title = fmt::format("What accuracy costs in time: {}", set),
+  Plot plot{.name = file_name(set, measure, contract),
+            .title = fmt::format("What accuracy costs in time: {}{}", set,
+                                 contract == "full" ? "" : ", the stage by " + contract),
             .caption =
                 "Each point is a clipper in a scalar; the line joins those that no other beats "
                 "in both. An error of 0 is drawn on the bottom line, \"exact\".",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Error over time, one plot per set and measure: the frontier as a line, who is dominated in grey.
+// Error over time, one plot per set, contract and measure: the frontier as a line, who is dominated in grey.
 #pragma once
 
 #include <string>
@@ -12,8 +12,9 @@
 namespace clipscope::experiments {
 
 // From the rows of `frontier`; an error of 0 is drawn on the bottom line. Named along the frontier are
-// the fastest for each error; of the dominated, one well-known clipper per space in float. All
-// names are in the table.
-Plot frontier_plot(const std::string& set, ErrorMeasure measure, const Table& frontier);
+// the fastest for each error; of the dominated, in the full contract one well-known clipper per space in
+// float and the batch clippers, in the stage all. All names are in the table.
+Plot frontier_plot(const std::string& set, ErrorMeasure measure, const Table& frontier,
+                   const std::string& contract = "full");
 
 }  // namespace clipscope::experiments

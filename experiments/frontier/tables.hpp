@@ -26,10 +26,11 @@ struct FrontierKeys {
 };
 FrontierKeys frontier_keys(ErrorMeasure measure);
 
-Table frontier_table();          // set, clipper, scalar: time, errors, standing
-Table frontier_steps_table();    // set, measure: from one member to the next, and what that buys
+Table frontier_table();        // set, contract, clipper, scalar: time, errors, standing
+Table frontier_steps_table();  // set, contract, measure: from one member to the next, and what that buys
 Table frontier_refused_table();  // who was not timed, and why
 
+// Entries of one contract.
 void add_frontier_rows(const std::string& set, std::span<const Entry> entries, Table& table);
 void add_step_rows(const std::string& set, std::span<const Entry> entries, Table& table);
 void add_refused_rows(const std::string& set, std::span<const Entry> entries, Table& table);
@@ -37,7 +38,8 @@ void add_refused_rows(const std::string& set, std::span<const Entry> entries, Ta
 // The sets in the table, in order. Pre-condition: rows of a set are together.
 std::vector<std::string> sets_of(const Table& frontier);
 
-// Set by set: how many are on the frontier by max_px, where it begins and what the first steps cost.
+// Set by set: how many are on the frontier by max_px in the full contract, where it begins and what its first
+// steps cost; and in the stage what correct rounding costs.
 // Computed from the rows. Pre-condition: `frontier` and `steps` have the rows of the same sets.
 std::string frontier_finding(const Table& frontier, const Table& steps);
 

@@ -115,3 +115,50 @@ TEST_CASE("frontier: a plot draws an error of 0 on a line beneath all others") {
   CHECK(line.y[1] > 0);
   CHECK(line.y[1] < 0.5 / 99);
 }
+
+TEST_CASE("frontier: contracts of the stage have frontiers of their own, errors the same in both") {
+  const Scene scene = make_builtin_scene("soup_straddling", {.seed = 1, .quick = true});
+  const StageTimingOptions few{
+      .rounds = 5, .milliseconds_per_run = 0.1, .check = {.triangles = 500, .exact = 16}};
+  const auto contracts = hold_stage_contest(
+      scene_input(scene, 200), [](std::string_view) { return true; }, few);
+  REQUIRE(contracts.size() == 2);
+  CHECK(contracts[0].front().clipper == "textbook");
+  CHECK(contracts[1].front().contract == "reference");
+  for (const std::vector<Entry>& entries : contracts) {
+    bool any = false;
+    for (const Entry& e : entries) {
+      any |= e.rank(ErrorMeasure::misrounded).standing == Standing::frontier;
+      if (e.clipper != "barycentric/correctly_rounded_batch") continue;
+      CHECK(e.timing.refused == "");
+      CHECK(e.error(ErrorMeasure::misrounded) == 0);
+      CHECK(e.error(ErrorMeasure::wrong) == 0);
+    }
+    CHECK(any);
+  }
+  const auto error_of = [&](std::size_t contract, std::string_view clipper) {
+    for (const Entry& e : contracts[contract]) {
+      if (e.clipper == clipper) return e.error(ErrorMeasure::misrounded);
+    }
+    return -1.0;
+  };
+  CHECK(error_of(0, "homogeneous/batch") == error_of(1, "homogeneous/batch"));
+  CHECK(error_of(0, "homogeneous/batch") > 0);
+}
+
+TEST_CASE("frontier: the finding reads the steps of the stage's rounding frontier") {
+  std::vector<Entry> entries = {entry("a", 10, 0.5), entry("b", 11, 0.25)};
+  for (Entry& e : entries) e.contract = "copy";
+  entries[1].accuracy.correctly_rounded = 1;  // of 4
+  rank(entries);
+  Table frontier = frontier_table(), steps = frontier_steps_table();
+  std::vector<Entry> full = {entry("a", 10, 0.5)};
+  rank(full);
+  add_frontier_rows("set", full, frontier);
+  add_frontier_rows("set", entries, frontier);
+  add_step_rows("set", entries, steps);
+  const std::string finding = frontier_finding(frontier, steps);
+  INFO(finding);
+  CHECK(finding.find("1 of 1 are not dominated; in the stage by copy +10 % time buys 25.0 % more "
+                     "correctly rounded coordinates (a float to b float)") != std::string::npos);
+}

@@ -29,20 +29,29 @@ Speed speed(const Results& results, const std::string& mix, const std::string& c
 // Beyond the intervals of both.
 bool is_faster(const Speed& a, const Speed& b) { return a.low > b.high; }
 
-struct ThreeSpaces {
+// The spaces side by side on a mix: one triangle after the other with the same method, and many at once.
+// Of the distance matrix, a space of its own, the claims say nothing: it stands beside them.
+struct Spaces {
   std::string mix;
-  Speed view, clip, cvv;
+  Speed view, clip, cvv, barycentric;
+  Speed view_batch, clip_batch, barycentric_batch;
 
   std::string text() const {
-    return fmt::format("{} {:.3g}/{:.3g}/{:.3g}", mix, view.ns, clip.ns, cvv.ns);
+    return fmt::format("{} {:.3g}/{:.3g}/{:.3g}/{:.3g}", mix, view.ns, clip.ns, cvv.ns,
+                       barycentric.ns);
+  }
+  std::string batch_text() const {
+    return fmt::format("{} {:.3g}/{:.3g}/-/{:.3g}", mix, view_batch.ns, clip_batch.ns,
+                       barycentric_batch.ns);
   }
 };
 
-std::vector<ThreeSpaces> three_spaces(const Results& results) {
-  std::vector<ThreeSpaces> mixes;
+std::vector<Spaces> spaces_by_mix(const Results& results) {
+  std::vector<Spaces> mixes;
   for (const std::string& mix : results.texts("cost", "mix")) {
-    mixes.push_back({mix, speed(results, mix, kViewSpace), speed(results, mix, kClipSpace),
-                     speed(results, mix, kCvv)});
+    const auto of = [&](const std::string& clipper) { return speed(results, mix, clipper); };
+    mixes.push_back({mix, of(kViewSpace), of(kClipSpace), of(kCvv), of(kBarycentric),
+                     of("view/batch"), of("homogeneous/batch"), of("barycentric/batch")});
   }
   return mixes;
 }
@@ -56,15 +65,32 @@ double operations(const Results& results, const std::string& mix, const std::str
   return sum;
 }
 
-// On which mixes something holds, and the times of the three spaces on all of them.
+constexpr const char* kTimes = "View/clip/CVV/barycentric take, in ns: {}.";
+
+// On which mixes something holds, and the times of the spaces on all of them.
 Finding by_mix(const Results& results, const std::string& condition,
-               const std::function<bool(const ThreeSpaces&)>& holds) {
+               const std::function<bool(const Spaces&)>& holds) {
   Cases cases;
-  for (const ThreeSpaces& mix : three_spaces(results)) {
+  for (const Spaces& mix : spaces_by_mix(results)) cases.note(mix.mix, holds(mix), mix.text());
+  return cases.finding("The mix is {} (" + condition + "). ",
+                       fmt::format(fmt::runtime(kTimes), cases.figures("; ")));
+}
+
+// The same, and whether it holds as well where view and clip space take many triangles at once, in SIMD.
+Finding by_mix_and_batches(const Results& results, const std::string& condition,
+                           const std::function<bool(const Spaces&)>& holds) {
+  Cases cases;
+  std::vector<std::string> alone, batches;
+  for (const Spaces& mix : spaces_by_mix(results)) {
     cases.note(mix.mix, holds(mix), mix.text());
+    cases.note(mix.mix + " in batches", is_faster(mix.clip_batch, mix.view_batch),
+               mix.batch_text());
+    alone.push_back(mix.text());
+    batches.push_back(mix.batch_text());
   }
   return cases.finding("The mix is {} (" + condition + "). ",
-                       fmt::format("View/clip/CVV take, in ns: {}.", cases.figures("; ")));
+                       fmt::format(fmt::runtime(std::string(kTimes) + " In batches: {}."),
+                                   fmt::join(alone, "; "), fmt::join(batches, "; ")));
 }
 
 std::string operations_text(const Results& results) {
@@ -98,8 +124,8 @@ Finding Cases::finding(std::string_view condition, const std::string& because) c
 }
 
 Finding judge_view_needs_most(const Results& results) {
-  Finding finding =
-      by_mix(results, "elsewhere it is not the slowest of the three", [](const ThreeSpaces& mix) {
+  Finding finding = by_mix_and_batches(
+      results, "elsewhere it is not the slowest of the three", [](const Spaces& mix) {
         return is_faster(mix.clip, mix.view) && is_faster(mix.cvv, mix.view);
       });
   finding.because += operations_text(results);
@@ -107,8 +133,8 @@ Finding judge_view_needs_most(const Results& results) {
 }
 
 Finding judge_clip_needs_least(const Results& results) {
-  Finding finding =
-      by_mix(results, "elsewhere it is not the fastest of the three", [](const ThreeSpaces& mix) {
+  Finding finding = by_mix_and_batches(
+      results, "elsewhere it is not the fastest of the three", [](const Spaces& mix) {
         return is_faster(mix.clip, mix.view) && is_faster(mix.clip, mix.cvv);
       });
   finding.because += operations_text(results);
@@ -117,7 +143,7 @@ Finding judge_clip_needs_least(const Results& results) {
 
 Finding judge_cvv_less_efficient(const Results& results) {
   return by_mix(results, "elsewhere it is not slower",
-                [](const ThreeSpaces& mix) { return is_faster(mix.clip, mix.cvv); });
+                [](const Spaces& mix) { return is_faster(mix.clip, mix.cvv); });
 }
 
 Finding judge_dropping_whole(const Results& results) {
@@ -234,12 +260,12 @@ struct Cheapest {
   std::string name;
 };
 
-Cheapest cheapest_rounded_right(const Results& results, const std::string& set) {
+Cheapest cheapest_rounded_right(const Results& results, const RowKey& where) {
   Cheapest cheapest;
   for (const auto& row : results.rows(
            "frontier",
            {"clipper", "scalar", "ns_per_triangle", "correctly_rounded_percent", "wrong_percent"},
-           {{"set", set}})) {
+           where)) {
     const auto* ns = std::get_if<double>(&row[2]);
     const auto* right = std::get_if<double>(&row[3]);
     const auto* wrong = std::get_if<double>(&row[4]);
@@ -249,23 +275,40 @@ Cheapest cheapest_rounded_right(const Results& results, const std::string& set) 
   return cheapest;
 }
 
+// The fastest float clipper of clip space that a renderer would take instead: one by one, or in batches.
+double fastest_in_float(const Results& results, const RowKey& where) {
+  double ns = HUGE_VAL;
+  for (const auto& row :
+       results.rows("frontier", {"clipper", "scalar", "ns_per_triangle"}, where)) {
+    const std::string clipper = format_cell(row[0]);
+    const auto* time = std::get_if<double>(&row[2]);
+    if (clipper != kClipSpace && clipper != "homogeneous/batch") continue;
+    if (format_cell(row[1]) == "float" && time) ns = std::min(ns, *time);
+  }
+  if (std::isfinite(ns)) return ns;
+  throw MissingFigure("table frontier: " + kClipSpace + " in float was not timed");
+}
+
 }  // namespace
 
 Finding judge_correct_rounding(const Results& results) {
   constexpr double kExpensive = 2.0;  // times float clipping in clip space
   Cases cases;
   for (const std::string& set : results.texts("frontier", "set")) {
-    const double plain =
-        results.number("frontier", "ns_per_triangle",
-                       {{"set", set}, {"clipper", kClipSpace}, {"scalar", "float"}});
-    const Cheapest c = cheapest_rounded_right(results, set);
-    cases.note(set, c.ns > kExpensive * plain,
-               std::isfinite(c.ns) ? fmt::format("{} {:.3g} times ({})", set, c.ns / plain, c.name)
-                                   : set + " none");
+    for (const std::string& contract : results.texts("frontier", "contract", {{"set", set}})) {
+      const RowKey where = {{"set", set}, {"contract", contract}};
+      const Cheapest c = cheapest_rounded_right(results, where);
+      const std::string name = set + " " + contract;
+      const std::string times = std::isfinite(c.ns)
+                                    ? fmt::format("{} {:.3g} times ({})", name,
+                                                  c.ns / fastest_in_float(results, where), c.name)
+                                    : name + " none";
+      cases.note(name, c.ns > kExpensive * fastest_in_float(results, where), times);
+    }
   }
   return cases.finding(
-      "The set is {}. ",
-      fmt::format("The cheapest that rounded every coordinate right costs, against "
+      "The set and contract are {}. ",
+      fmt::format("The cheapest that rounded every coordinate right costs, against the fastest "
                   "float clipping in clip space: {}.",
                   cases.figures("; ")));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -32,6 +33,24 @@ double largest(const Results& results, const std::string& table, const std::stri
 
 }  // namespace
 
+namespace {
+
+// What the correction takes in time, mix by mix.
+std::string price_of_correction(const Results& results) {
+  std::vector<std::string> parts;
+  for (const std::string& mix : results.texts("cost", "mix")) {
+    const auto ns = [&](const char* clipper) {
+      return results.number("cost", "ns_per_triangle",
+                            {{"mix", mix}, {"clipper", clipper}, {"scalar", "float"}});
+    };
+    parts.push_back(
+        fmt::format("{} {:+.0f} %", mix, 100 * (ns("cvv/perspective") / ns("cvv/naive") - 1)));
+  }
+  return fmt::format("The correction changes the time by: {}.", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
 Finding judge_perspective(const Results& results) {
   const double affine = largest(results, "perspective_clip", "max_error",
                                 {{"clipper", "cvv/naive"}, {"scalar", "exact"}});
@@ -42,8 +61,8 @@ Finding judge_perspective(const Results& results) {
       verdict,
       fmt::format("In exact arithmetic new vertices cut after the divide have attributes wrong by "
                   "up to {:.2g} of their range if they are interpolated as positions are, by "
-                  "{:.2g} with a/w and 1/w.",
-                  affine, correct)};
+                  "{:.2g} with a/w and 1/w. {}",
+                  affine, correct, price_of_correction(results))};
 }
 
 Finding judge_inside(const Results& results) {

@@ -17,6 +17,7 @@ namespace clipscope::experiments {
 inline const std::string kViewSpace = "view/sutherland_hodgman";
 inline const std::string kClipSpace = "homogeneous/sutherland_hodgman";
 inline const std::string kCvv = "cvv/near_first";
+inline const std::string kBarycentric = "barycentric/distance_matrix";  // a fourth, beside them
 
 inline const std::string kCountsTable = "claims_counts";
 

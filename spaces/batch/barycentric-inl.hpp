@@ -12,6 +12,10 @@
 // 3 u, to first order, of lambda . (|a|, |b|), and the whole within 7 u of max(|a|, |b|), a convex combination
 // being no larger. 16 u covers that, the terms of higher order and the rounding of the interval's ends.
 // Nothing under- or overflows: exact_lines.hpp.
+//
+// Several planes: as in exact_corners.hpp, with corners as numbers in a list. A corner's side of a plane is
+// certain if the determinant is larger than its bound, of exact_lines.hpp; a determinant of 0 is handed
+// back, too. The methods give the bits of their plain twins: the same operations in the same order.
 #if defined(CLIPSCOPE_BATCH_BARYCENTRIC_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_BARYCENTRIC_INL
 #undef CLIPSCOPE_BATCH_BARYCENTRIC_INL
@@ -28,7 +32,6 @@ namespace clipscope::batch::HWY_NAMESPACE {
 template <bool kCertain, class S>
 struct FromOriginals {
   const S& shape;
-  DepthRange depth;
 
   using D = LanesOf<double, S>;
   using DF = hn::Rebind<float, D>;
@@ -54,18 +57,21 @@ struct FromOriginals {
     return certain && w > 0 && next_w > 0 ? order.inside + 2 : kGiveUp;
   }
 
-  // Pre-condition: the cut has three corners or more.
   template <class V>
-  HWY_NOINLINE int write(const barycentric::CutTriangle& cut, const Straddler<V>& s, V* out) const {
+  HWY_NOINLINE int cut_planes(const Straddler<V>& s, const std::array<CodePlane, kPlanes>& planes,
+                              V* out) const {
+    Pool pool;
+    List list{{0, 1, 2}, 3};
+    for (int p = 0; p < kPlanes; ++p) {
+      const CodePlane& plane = planes[(p + 2) % kPlanes];  // in the order of `kAllPlanes`
+      if ((s.any >> plane.bit & 1) == 0) continue;
+      for (int i = 0; i < 3; ++i) pool.lines[3 + p][i] = distance<double>(plane, s.vertex[i]);
+      if (!cut(3 + p, pool, list)) return kGiveUp;
+    }
     int kept = 0;
-    for (const barycentric::Corner& corner : cut.corners) {
+    for (int i = 0; i < list.size; ++i) {
       V* v = out + kept * shape.floats();
-      const int own = barycentric::own_vertex(corner.at);
-      if (own >= 0) {
-        copy_vertex(shape, s.vertex[own], v);
-      } else if (!write_meeting(corner.at, s, v)) {
-        return kGiveUp;
-      }
+      if (!write_corner(pool.corners[list.at[i]], s, planes, v)) return kGiveUp;
       if (v[3] > 0) {
         ++kept;
       } else if (kCertain) {
@@ -89,82 +95,164 @@ struct FromOriginals {
     return hn::Load(DU(), kBits);
   }
 
+  // The mean of a and b with those weights, a point of an edge; whether all lanes (but z, if it is set later) are
+  // certain is added to `doubt`.
+  template <class V>
+  HWY_INLINE void write_mean(double of_a, const V* a, double of_b, const V* b, bool sets_z, V* out,
+                             Bits& doubt) const {
+    const D d;
+    const auto l_a = hn::Set(d, of_a), l_b = hn::Set(d, of_b),
+               reciprocal = hn::Set(d, 1 / (of_a + of_b));
+    for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
+      const auto v_a = load(d, a + i), v_b = load(d, b + i);
+      const auto sum = hn::Add(hn::Mul(l_a, v_a), hn::Mul(l_b, v_b));
+      if constexpr (kCertain) {
+        const auto q = hn::Mul(sum, reciprocal);
+        const auto error = hn::Mul(hn::Max(hn::Abs(v_a), hn::Abs(v_b)), hn::Set(d, 16 * 0x1p-53));
+        Bits differ = store_between(hn::Sub(q, error), hn::Add(q, error), out + i);
+        if (i == 0 && sets_z) differ = hn::And(differ, but_z());
+        doubt = hn::Or(doubt, differ);
+      } else {
+        store(d, hn::Mul(hn::Add(sum, hn::Zero(d)), reciprocal), out + i);  // +0 if it is 0
+      }
+    }
+  }
+
   // Of the edge and the plane; returns w.
   template <class V>
   HWY_INLINE V meet_edge(const CodePlane& plane, const V* in, const V* out_vertex, double d_in,
                          V* out, Bits& doubt) const {
-    const double of_in = -distance<double>(plane, out_vertex), of_out = d_in;
-    const D d;
-    const auto l_in = hn::Set(d, of_in), l_out = hn::Set(d, of_out),
-               reciprocal = hn::Set(d, 1 / (of_in + of_out));
-    for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
-      const auto a = load(d, in + i), b = load(d, out_vertex + i);
-      const auto sum = hn::Add(hn::Add(hn::Mul(l_in, a), hn::Mul(l_out, b)), hn::Zero(d));
-      const auto q = hn::Mul(sum, reciprocal);
-      if constexpr (kCertain) {
-        const auto error = hn::Mul(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Set(d, 16 * 0x1p-53));
-        Bits differ = store_between(hn::Sub(q, error), hn::Add(q, error), out + i);
-        if (i == 0 && plane.w_weight == 0) differ = hn::And(differ, but_z());
-        doubt = hn::Or(doubt, differ);
-      } else {
-        store(d, q, out + i);
-      }
-    }
+    write_mean(-distance<double>(plane, out_vertex), in, d_in, out_vertex, plane.w_weight == 0, out,
+               doubt);
     const V w = out[3];
-    out[plane.axis] = plane.w_weight == 0 ? V(0) : -plane.c_weight * w;
+    set_on_plane(plane, out);
     return w;
   }
 
-  // sum lambda_i v_i / sum lambda_i with the bound of exact_lines.hpp, `rounded_quotient`. Whether that is
-  // certain.
   template <class V>
-  HWY_INLINE bool write_meeting(const barycentric::Meeting& m, const Straddler<V>& s,
-                                V* out) const {
-    const barycentric::Bounded sum = barycentric::dot(m, barycentric::kOnes);
-    if (kCertain && !(sum.value > 0x1p20 * sum.error)) return false;
-    const double reciprocal = 1 / sum.value;
-    const D d;
-    const auto weight = hn::Set(d, reciprocal * (1 + 0x1p-18)), of_sum = hn::Set(d, sum.error);
+  static HWY_INLINE void set_on_plane(const CodePlane& plane, V* out) {
+    out[plane.axis] = plane.w_weight == 0 ? V(0) : -plane.c_weight * out[3];
+  }
+
+  // lambda = line `from` x line `to`, see `barycentric::meet`. Lines 0 to 2 are the triangle's edges, each
+  // opposite to its vertex, the others planes, 3 and on in the order of `kAllPlanes`.
+  struct Corner {
+    double lambda[3], magnitude[3];
+    std::uint8_t from, to;
+  };
+  struct Pool {
+    Corner corners[3 + 2 * kPlanes] = {
+        {{1, 0, 0}, {1, 0, 0}, 1, 2}, {{0, 1, 0}, {0, 1, 0}, 2, 0}, {{0, 0, 1}, {0, 0, 1}, 0, 1}};
+    double lines[3 + kPlanes][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    int size = 3;
+  };
+
+  // Whether all signs were certain and the outside corners one run.
+  HWY_INLINE bool cut(int line, Pool& pool, List& list) const {
+    const double* row = pool.lines[line];
+    unsigned outside = 0, decided = 0;
+    for (int i = 0; i < list.size; ++i) {
+      const Corner& c = pool.corners[list.at[i]];
+      const double d = c.lambda[0] * row[0] + c.lambda[1] * row[1] + c.lambda[2] * row[2];
+      double error = 0;
+      if constexpr (kCertain) {
+        error = 10 * 0x1p-53 *
+                (c.magnitude[0] * std::abs(row[0]) + c.magnitude[1] * std::abs(row[1]) +
+                 c.magnitude[2] * std::abs(row[2]));
+      }
+      outside |= static_cast<unsigned>(d < 0) << i;
+      decided |= static_cast<unsigned>(std::abs(d) > error) << i;
+    }
+    const unsigned all = (1u << list.size) - 1;
+    if (decided != all) return false;
+    if (outside == 0) return true;
+    if (outside == all) {
+      list.size = 0;
+      return true;
+    }
+    const Crossing crossing = find_crossing(outside, list.size);
+    if (!crossing.is_one_run) return false;
+    List r = inside_run(list, crossing);
+    add_corner(pool.corners[list.at[crossing.last_in]].to, line, pool, r);
+    add_corner(line, pool.corners[list.at[crossing.first_in]].from, pool, r);
+    list = r;
+    return true;
+  }
+
+  static HWY_INLINE void add_corner(int from, int to, Pool& pool, List& list) {
+    const double *a = pool.lines[from], *b = pool.lines[to];
+    Corner& c = pool.corners[pool.size];
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const double first = a[j] * b[k], second = a[k] * b[j];
+      c.lambda[i] = first - second;
+      c.magnitude[i] = std::abs(first) + std::abs(second);
+    }
+    c.from = static_cast<std::uint8_t>(from);
+    c.to = static_cast<std::uint8_t>(to);
+    list.add(pool.size++);
+  }
+
+  // Whether the corner was written for certain.
+  template <class V>
+  HWY_INLINE bool write_corner(const Corner& c, const Straddler<V>& s,
+                               const std::array<CodePlane, kPlanes>& planes, V* out) const {
+    const int low = std::min(c.from, c.to), high = std::max(c.from, c.to);
+    if (high < 3) {
+      copy_vertex(shape, s.vertex[3 - low - high], out);
+      return true;
+    }
+    const auto plane_of = [&](int line) -> const CodePlane& {
+      return planes[(line - 1) % kPlanes];
+    };
     Bits doubt = hn::Zero(DU());
-    const bool has_zero_plane = depth != DepthRange::minus_one_to_one;
+    if (low < 3) {
+      const int a = low == 0 ? 1 : 0, b = low == 2 ? 1 : 2;
+      write_mean(c.lambda[a], s.vertex[a], c.lambda[b], s.vertex[b], plane_of(high).w_weight == 0,
+                 out, doubt);
+    } else {
+      const bool sets_z = plane_of(low).w_weight == 0 || plane_of(high).w_weight == 0;
+      if (!write_mean(c, s, sets_z, out, doubt)) return false;
+      set_on_plane(plane_of(low), out);
+    }
+    set_on_plane(plane_of(high), out);
+    return !kCertain || hn::AllTrue(DU(), hn::Eq(doubt, hn::Zero(DU())));
+  }
+
+  // The mean of the three vertices at a meeting of two planes, with the bound of exact_lines.hpp,
+  // `rounded_quotient`. Whether the sum of weights is certain.
+  template <class V>
+  HWY_INLINE bool write_mean(const Corner& c, const Straddler<V>& s, bool sets_z, V* out,
+                             Bits& doubt) const {
+    const D d;
+    const double total = c.lambda[0] + c.lambda[1] + c.lambda[2],
+                 total_error = 10 * 0x1p-53 * (c.magnitude[0] + c.magnitude[1] + c.magnitude[2]);
+    if (kCertain && !(total > 0x1p20 * total_error)) return false;
+    const auto reciprocal = hn::Set(d, 1 / total), weight = hn::Set(d, 1 / total * (1 + 0x1p-18)),
+               of_total = hn::Set(d, total_error);
     for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
-      auto n = hn::Zero(d), magnitude = hn::Zero(d);
+      auto sum = hn::Zero(d), magnitude = hn::Zero(d);
       for (int k = 0; k < 3; ++k) {
-        if (m.magnitude[k] == 0) continue;  // takes no part, whatever its attributes
+        if (c.magnitude[k] == 0) continue;  // takes no part, whatever its attributes
         const auto v = load(d, s.vertex[k] + i);
-        n = hn::Add(n, hn::Mul(hn::Set(d, m.lambda[k]), v));
+        sum = hn::Add(sum, hn::Mul(hn::Set(d, c.lambda[k]), v));
         if (kCertain) {
-          magnitude = hn::Add(magnitude, hn::Mul(hn::Set(d, m.magnitude[k]), hn::Abs(v)));
+          magnitude = hn::Add(magnitude, hn::Mul(hn::Set(d, c.magnitude[k]), hn::Abs(v)));
         }
       }
-      const auto q = hn::Mul(n, hn::Set(d, reciprocal));
+      const auto q = hn::Mul(sum, reciprocal);
       if constexpr (kCertain) {
-        const auto of_n = hn::Mul(magnitude, hn::Set(d, 10 * 0x1p-53));
-        const auto error = hn::Add(hn::Mul(hn::Add(of_n, hn::Mul(hn::Abs(q), of_sum)), weight),
+        const auto of_sum = hn::Mul(magnitude, hn::Set(d, 10 * 0x1p-53));
+        const auto error = hn::Add(hn::Mul(hn::Add(of_sum, hn::Mul(hn::Abs(q), of_total)), weight),
                                    hn::Mul(hn::Abs(q), hn::Set(d, 0x1p-51)));
         Bits differ = store_between(hn::Sub(q, error), hn::Add(q, error), out + i);
-        if (i == 0 && has_zero_plane && is_on_zero(m)) differ = hn::And(differ, but_z());
+        if (i == 0 && sets_z) differ = hn::And(differ, but_z());
         doubt = hn::Or(doubt, differ);
       } else {
         store(d, q, out + i);
       }
     }
-    set_on_planes(m, out);
-    return !kCertain || hn::AllTrue(DU(), hn::Eq(doubt, hn::Zero(DU())));
-  }
-
-  HWY_INLINE bool is_on_zero(const barycentric::Meeting& m) const {
-    const Plane zero = depth == DepthRange::reversed ? Plane::far : Plane::near;
-    return (barycentric::planes_of(m) & bit(zero)) != 0;
-  }
-
-  template <class V>
-  HWY_INLINE void set_on_planes(const barycentric::Meeting& m, V* out) const {
-    for (const Plane plane : kAllPlanes) {
-      if ((barycentric::planes_of(m) & bit(plane)) == 0) continue;
-      const auto [axis, bound] = barycentric::plane_form(depth, plane);
-      out[axis] = bound == 0 ? V(0) : bound * out[3];
-    }
+    return true;
   }
 };
 

@@ -135,6 +135,40 @@ HWY_INLINE void meet(const S& shape, const From* a, const From* b, T t, To* out)
 
 inline constexpr int kGiveUp = -1;
 
+// A convex polygon's vertices as numbers in a pool.
+struct List {
+  std::uint8_t at[3 + 2 * kPlanes + 1];
+  int size;
+
+  HWY_INLINE void add(int number) { at[size++] = static_cast<std::uint8_t>(number); }
+};
+
+// The places in a list where it leaves the inside of a plane and enters it again.
+struct Crossing {
+  bool is_one_run;  // else rounding has made several runs of outside vertices: nothing else is set
+  int last_in, first_out, last_out, first_in;
+};
+
+// outside: a mask of the places, neither empty nor full.
+HWY_INLINE Crossing find_crossing(unsigned outside, int size) {
+  const unsigned starts = outside & ~(outside << 1 | outside >> (size - 1));
+  if ((starts & (starts - 1)) != 0) return {};
+  const int first_out = std::countr_zero(starts), length = std::popcount(outside);
+  const auto wrap = [size](int i) { return i >= size ? i - size : i; };
+  return {true, wrap(first_out + size - 1), first_out, wrap(first_out + length - 1),
+          wrap(first_out + length)};
+}
+
+// The inside vertices of a list, in order.
+HWY_INLINE List inside_run(const List& list, const Crossing& crossing) {
+  List r{{}, 0};
+  for (int i = crossing.first_in; i != crossing.first_out;) {
+    r.add(list.at[i]);
+    i = i + 1 == list.size ? 0 : i + 1;
+  }
+  return r;
+}
+
 // A triangle that some plane cuts: its vertices, whole vectors readable, and their codes.
 template <class V>
 struct Straddler {
@@ -198,17 +232,10 @@ struct Chain {
   }
 
  private:
-  static constexpr int kMost = 3 + 2 * kPlanes;
-
   struct Pool {
-    HWY_ALIGN T vertex[kMost][S::kWidth];
-    unsigned code[kMost];
+    HWY_ALIGN T vertex[3 + 2 * kPlanes][S::kWidth];
+    unsigned code[3 + 2 * kPlanes];
     int size = 3;
-  };
-  // The polygon: numbers in the pool.
-  struct List {
-    std::uint8_t at[kMost + 1];
-    int size;
   };
 
   template <class V>
@@ -220,23 +247,20 @@ struct Chain {
 
   // Whether the outside vertices were one run.
   bool cut(const Plane& plane, Pool& pool, List& list) const {
-    const int n = list.size;
     unsigned outside = 0;
-    for (int i = 0; i < n; ++i) outside |= (pool.code[list.at[i]] >> plane.bit & 1) << i;
+    for (int i = 0; i < list.size; ++i) {
+      outside |= (pool.code[list.at[i]] >> plane.bit & 1) << i;
+    }
     if (outside == 0) return true;
-    if (outside == (1u << n) - 1) {
+    if (outside == (1u << list.size) - 1) {
       list.size = 0;
       return true;
     }
-    const unsigned starts = outside & ~(outside << 1 | outside >> (n - 1));
-    if ((starts & (starts - 1)) != 0) return false;
-    const int first_out = std::countr_zero(starts), length = std::popcount(outside);
-    const auto wrap = [n](int i) { return i >= n ? i - n : i; };
-    const int first_in = wrap(first_out + length), last_in = wrap(first_out + n - 1);
-    List r{{}, 0};
-    for (int i = 0; i < n - length; ++i) r.at[r.size++] = list.at[wrap(first_in + i)];
-    add_cut(plane, list.at[last_in], list.at[first_out], pool, r);
-    add_cut(plane, list.at[first_in], list.at[wrap(first_out + length - 1)], pool, r);
+    const Crossing crossing = find_crossing(outside, list.size);
+    if (!crossing.is_one_run) return false;
+    List r = inside_run(list, crossing);
+    add_cut(plane, list.at[crossing.last_in], list.at[crossing.first_out], pool, r);
+    add_cut(plane, list.at[crossing.first_in], list.at[crossing.last_out], pool, r);
     list = r;
     return true;
   }
@@ -249,7 +273,7 @@ struct Chain {
     meet<T>(shape, pool.vertex[in], pool.vertex[out], d_in / (d_in - d_out),
             pool.vertex[pool.size]);
     pool.code[pool.size] = vertex_code(limits, pool.vertex[pool.size]);
-    list.at[list.size++] = static_cast<std::uint8_t>(pool.size++);
+    list.add(pool.size++);
   }
 };
 

@@ -117,22 +117,6 @@ int cut_full_with(Method method, const Projection<float>& projection, int attrib
   return polygon.size();
 }
 
-template <class V, class Count>
-bool cut_corners_with(DepthRange depth, Outcode planes, const V* const vertex[3],
-                      barycentric::CutTriangle& cut, Count& count) {
-  const auto row_of = [&](Plane plane) {
-    const barycentric::PlaneForm form = barycentric::plane_form(depth, plane);
-    barycentric::Values c, w;
-    for (std::size_t i = 0; i < 3; ++i) {
-      c[i] = vertex[i][form.axis];
-      w[i] = vertex[i][3];
-    }
-    return barycentric::clip_row(form, plane, c, w);
-  };
-  barycentric::cut_triangle(planes, row_of, cut, count);
-  return cut.corners.size() >= 3;
-}
-
 }  // namespace
 
 void copy(Method method, const ClipVolume& volume, const VertexArray& in, Output& out) {
@@ -191,24 +175,6 @@ int cut_full(Method method, const Projection<float>& projection, int attributes,
              const float* vertices, float* out) {
   if (attributes == 4) return cut_full_with<4>(method, projection, attributes, vertices, out);
   return cut_full_with<kRunTime>(method, projection, attributes, vertices, out);
-}
-
-bool cut_corners(DepthRange depth, Outcode planes, const double* const vertex[3],
-                 barycentric::CutTriangle& cut) {
-  RoundedSigns signs;
-  return cut_corners_with(depth, planes, vertex, cut, signs);
-}
-
-bool cut_corners(DepthRange depth, Outcode planes, const float* const vertex[3],
-                 barycentric::CutTriangle& cut) {
-  RoundedSigns signs;
-  return cut_corners_with(depth, planes, vertex, cut, signs);
-}
-
-bool cut_corners_exactly(DepthRange depth, Outcode planes, const float* const vertex[3],
-                         barycentric::CutTriangle& cut) {
-  barycentric::CountNothing count;
-  return cut_corners_with(depth, planes, vertex, cut, count);
 }
 
 }  // namespace clipscope::batch::plain

@@ -5,7 +5,6 @@
 // other than convex, floats that only expansions settle).
 #pragma once
 
-#include "spaces/barycentric/exact_corners.hpp"
 #include "spaces/batch/batch.hpp"
 #include "spaces/batch/layout.hpp"
 
@@ -24,14 +23,5 @@ int cut(Method method, const ClipVolume& volume, int attributes, const float* co
 // vertices: three of a ViewVertexArray.
 int cut_full(Method method, const Projection<float>& projection, int attributes,
              const float* vertices, float* out);
-
-// The corners of the part inside the planes of the code; whether there are three or more. Signs of
-// determinants are those of rounded ones, or exact. Pre-condition: positions are finite.
-bool cut_corners(DepthRange depth, Outcode planes, const float* const vertex[3],
-                 barycentric::CutTriangle& cut);
-bool cut_corners(DepthRange depth, Outcode planes, const double* const vertex[3],
-                 barycentric::CutTriangle& cut);
-bool cut_corners_exactly(DepthRange depth, Outcode planes, const float* const vertex[3],
-                         barycentric::CutTriangle& cut);
 
 }  // namespace clipscope::batch::plain

@@ -25,14 +25,11 @@ class Cutter {
   using CutPlane = std::conditional_t<kIsView, ViewCodePlane, CodePlane>;
 
   Cutter(DepthRange depth, int attributes)
-      : shape{attributes}, limits(depth), depth_(depth), planes_(code_planes(depth)) {
+      : shape{attributes}, limits(depth), planes_(code_planes(depth)) {
     index_planes();
   }
   Cutter(const Frustum<float>& frustum, int attributes)
-      : shape{attributes},
-        limits(view_code_planes(frustum)),
-        depth_(frustum.depth),
-        planes_(view_code_planes(frustum)) {
+      : shape{attributes}, limits(view_code_planes(frustum)), planes_(view_code_planes(frustum)) {
     index_planes();
   }
 
@@ -77,7 +74,7 @@ class Cutter {
     if constexpr (kIsChain) {
       return ChainOf{shape, limits, planes_}.cut_one_plane(s, plane, out);
     } else {
-      return Originals{shape, depth_}.cut_one_plane(s, plane, out);
+      return Originals{shape}.cut_one_plane(s, plane, out);
     }
   }
 
@@ -85,29 +82,10 @@ class Cutter {
     if constexpr (kIsChain) {
       return ChainOf{shape, limits, planes_}.cut_planes(s, out);
     } else {
-      barycentric::CutTriangle cut;
-      if (!cut_corners(s, cut)) return 0;
-      return Originals{shape, depth_}.write(cut, s, out);
+      return Originals{shape}.cut_planes(s, planes_, out);
     }
   }
 
-  bool cut_corners(const Straddler<V>& s, barycentric::CutTriangle& cut) const {
-    if constexpr (kMethod == Method::correctly_rounded) {
-      return plain::cut_corners_exactly(depth_, outcode_of(s.any), s.vertex, cut);
-    } else {
-      return plain::cut_corners(depth_, outcode_of(s.any), s.vertex, cut);
-    }
-  }
-
-  HWY_INLINE Outcode outcode_of(unsigned any) const {
-    constexpr Plane kOrder[] = {Plane::near,  Plane::far,    Plane::left,
-                                Plane::right, Plane::bottom, Plane::top};
-    Outcode code = 0;
-    for (int p = 0; p < kPlanes; ++p) code |= (any >> planes_[p].bit & 1) * bit(kOrder[p]);
-    return code;
-  }
-
-  const DepthRange depth_;
   const std::array<CutPlane, kPlanes> planes_;
   std::array<CutPlane, 8> by_bit_{};
 };

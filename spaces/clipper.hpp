@@ -61,6 +61,11 @@ struct Promise {
   bool rotation_invariant = true;  // the same vertices whichever of the input's vertices is first
   bool scale_invariant =
       true;  // the same for homogeneous coordinates (or view-space lengths) times 2^k
+  // Every coordinate, 1/w and attribute is the exact one rounded once, to nearest, ties to even, and the
+  // vertices are those of the exact polygon, some of them repeated where it has no area; nothing where z
+  // rounds to infinity. The truth of view-space triangles is that of the frustum's exact numbers. In
+  // float only; `domain` does not limit it.
+  bool correctly_rounded = false;
 
   // Options of the volume that the method takes. Where it does not, its answer is "not applicable".
   bool depth_clamp = true;

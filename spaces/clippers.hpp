@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // The list of all clippers. To add one: write its header, include it here and add its name to the
-// list; everything else (program, experiments, contract tests) follows from that.
+// list; everything else (program, experiments, contract tests) follows from that. Where it exists, by
+// scalar and input, is what its call operators take (`ClipsViewSpace`, `ClipsClipSpace`).
 #pragma once
 
+#include "spaces/barycentric/correctly_rounded.hpp"
 #include "spaces/barycentric/distance_matrix.hpp"
 #include "spaces/cvv/cohen_sutherland.hpp"
 #include "spaces/cvv/liang_barsky.hpp"
@@ -42,6 +44,7 @@ using AllClippers = TypeList<Textbook,                                    //
                              CvvPerspective,                              //
                              CvvNearFirst,                                //
                              DistanceMatrix,                              //
+                             CorrectlyRounded,                            //
                              WholeAnyOutside,                             //
                              WholeAllOutside>;
 

@@ -49,7 +49,7 @@ enum class StageOrder { none, view_space, clip_space, cvv };
 constexpr StageOrder stage_order(std::string_view clipper, const Promise& promise) {
   const bool cuts = promise.covers && promise.domain != Promise::Domain::all_or_nothing;
   const bool after_divide = promise.amplification == Promise::Amplification::w_ratio;
-  if (!cuts) return StageOrder::none;
+  if (!cuts || promise.correctly_rounded) return StageOrder::none;  // nothing is rounded on the way
   if (clipper.starts_with("view/")) return StageOrder::view_space;
   if (clipper.starts_with("cvv/")) return StageOrder::cvv;
   return after_divide ? StageOrder::none : StageOrder::clip_space;

@@ -44,7 +44,8 @@ std::string promise_text(const Promise& promise) {
   text += listed("; to the bit: ", {{promise.total, "total"},
                                     {promise.watertight, "watertight"},
                                     {promise.rotation_invariant, "rotation"},
-                                    {promise.scale_invariant, "scale"}});
+                                    {promise.scale_invariant, "scale"},
+                                    {promise.correctly_rounded, "correctly rounded"}});
   text += listed("; does not take ", {{!promise.depth_clamp, "depth clamp"},
                                       {!promise.clip_distances, "clip distances"}});
   return text;

@@ -10,6 +10,7 @@
 
 #include "experiments/measure/distance.hpp"
 #include "experiments/measure/distance_number.hpp"
+#include "experiments/measure/rounding_promise.hpp"
 #include "experiments/scenes/scene.hpp"
 
 namespace clipscope::experiments {
@@ -399,6 +400,13 @@ PromiseCheck PromiseChecker::check_distances(const Promise& promise, const Input
 template <class T, int K>
 PromiseCheck PromiseChecker::check(const Promise& promise, const InputTriangle& triangle,
                                    std::span<const NdcVertex<T, K>> polygon) const {
+  if constexpr (std::is_same_v<T, float>) {
+    const std::string reason =
+        promise.correctly_rounded ? misrounded<K>(truth_, triangle, polygon) : std::string();
+    if (!reason.empty()) {
+      return {PromiseVerdict::broken, std::numeric_limits<double>::infinity(), reason};
+    }
+  }
   Setting s{.corners = corners_of(truth_, triangle)};
   s.w = w_in_front(volume_.depth, s.corners.rounded);
   for (const reference::InputVertex& v : triangle.vertices) {

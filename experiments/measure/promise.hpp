@@ -9,6 +9,7 @@
 //   faithful   no vertex is farther than the tolerance from the input triangle,
 //   covers     no vertex of the exact polygon in the volume made smaller by the tolerance is farther
 //              than the tolerance from the clipper's polygon.
+// Whoever promises correct rounding must have all bits right, on every triangle (rounding_promise.hpp).
 // Distances are computed in double-double for float and double (error far below any tolerance) and in
 // exact rationals for the others. Point to triangle: Ericson, "Real-Time Collision Detection", 2005,
 // section 5.1.5, which uses dot products alone and so holds in any dimension.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The promise checker must let right answers pass and catch answers that are wrong in each way.
+#include <cmath>
 #include <functional>
 #include <random>
 #include <vector>
@@ -143,4 +144,40 @@ TEST_CASE("promise: every clipper keeps its own on every built-in scene, in ever
       }
     });
   }
+}
+
+TEST_CASE("promise: who promises correct rounding must have every bit right") {
+  const Promise& promise =
+      std::get<const Contestant<float>*>(find_contestant("correctly_rounded", "float"))->promise;
+  REQUIRE(promise.correctly_rounded);
+  const SceneTriangle triangle = straddling();
+  const Vertices right = answer_of("correctly_rounded", triangle);
+  CHECK(check(promise, right, triangle).verdict == PromiseVerdict::kept);
+  for (int i = 0; i < 4 + kSceneAttributes; ++i) {
+    Vertices wrong = right;
+    float& number = i < 4 ? wrong[1].position[i] : wrong[1].attributes[i - 4];
+    number = std::nextafter(number, 2.0f);
+    const PromiseCheck result = check(promise, wrong, triangle);
+    INFO(i << ": " << result.reason);
+    CHECK(result.verdict == PromiseVerdict::broken);
+    CHECK(result.reason.find("not correctly rounded: vertex 1") != std::string::npos);
+  }
+  CHECK(check(promise, {}, triangle).verdict == PromiseVerdict::broken);
+  CHECK(check(promise, {right[0], right[1], right[2]}, triangle).verdict == PromiseVerdict::broken);
+}
+
+TEST_CASE("promise: floats that are merely good are not correctly rounded") {
+  Promise boast = kFull;
+  boast.correctly_rounded = true;
+  std::mt19937_64 random(3);
+  int broken = 0;
+  for (int n = 0; n < 100; ++n) {
+    SceneTriangle triangle = straddling();
+    for (auto& v : triangle) {
+      for (int i = 0; i < 3; ++i) v.position[i] += static_cast<float>(random() % 1000) * 1e-3f;
+    }
+    const Vertices answer = answer_of("homogeneous/sutherland_hodgman", triangle);
+    broken += check(boast, answer, triangle).verdict == PromiseVerdict::broken ? 1 : 0;
+  }
+  CHECK(broken > 50);
 }

@@ -117,7 +117,7 @@ TEST_CASE("contract: winding is kept") {
     const auto triangle = clip_triangle<double>(corners);
     NdcPolygon<double, K> whole;
     for (const auto& v : triangle) whole.push_back(to_ndc(v));
-    for_each_type(FullHomogeneousClippers{}, [&]<class C>() {
+    for_each_in<double>(FullHomogeneousClippers{}, [&]<class C>() {
       const double area = signed_area(clip<C>(triangle));
       if (std::abs(area) > 1e-9) CHECK((area < 0) == (signed_area(whole) < 0));
     });

@@ -135,6 +135,14 @@ bool same_up_to_rotation(const NdcPolygon<T, K>& a, const NdcPolygon<T, K>& b) {
   return false;
 }
 
+// Runs f.operator()<C>() for every clipper that there is in T.
+template <class T, class Clippers, class F>
+void for_each_in(Clippers, F&& f) {
+  experiments::for_each_type(Clippers{}, [&]<class C>() {
+    if constexpr (ClipsViewSpace<C, T, K>) f.template operator()<C>();
+  });
+}
+
 // Runs f.operator()<C, T>() for every pair that there is.
 template <class Clippers, class F>
 void for_every(F&& f) {

@@ -11,7 +11,7 @@ using namespace clipscope;
 
 // A triangle that crosses the right plane: the part inside has four vertices.
 template <class C, class T>
-bool clips() {
+bool clips_at_the_right() {
   const Projection<T> projection(Frustum<T>{});
   const ViewTriangle<T, 1> triangle = {{{{T(0), T(-1), T(-2)}, {{T(0)}}},
                                         {{T(4), T(0), T(-2)}, {{T(1)}}},
@@ -25,6 +25,16 @@ bool clips() {
   std::printf("%.*s: %d vertices, rightmost x = %g\n", static_cast<int>(C::name.size()),
               C::name.data(), polygon.size(), static_cast<double>(right));
   return polygon.size() == 4 && right == T(1);
+}
+
+// A clipper that there is not in T has nothing to show.
+template <class C, class T>
+bool clips() {
+  if constexpr (!ClipsViewSpace<C, T, 1>) {
+    return true;
+  } else {
+    return clips_at_the_right<C, T>();
+  }
 }
 
 template <class... Cs>

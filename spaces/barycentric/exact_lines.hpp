@@ -6,16 +6,18 @@
 // Each answer comes from doubles if a proved bound of their error settles it, and from expansions
 // else. A double-double stage between the two would have nothing to gain: of triangles that straddle a
 // frustum the filter leaves over less than one quotient in 10^5 (CorrectlyRounded::count_stages), most
-// of them exact ties, and on lattices ties and zeros, which no precision short of exact settles. Source: Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
-// Predicates", 1997; filters for homogeneous points: Melquiond and Pion, "Formally certified
-// floating-point filters for homogeneous geometric predicates", 2007; predicates on points that are
-// kept as the lines that define them: Attene, "Indirect predicates for geometric constructions", 2020.
+// of them exact ties, and on lattices ties and zeros, which no precision short of exact settles.
+//
+// Source: Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
+// 1997; filters for homogeneous points: Melquiond and Pion, "Formally certified floating-point filters
+// for homogeneous geometric predicates", 2007; predicates on points that are kept as the lines that
+// define them: Attene, "Indirect predicates for geometric constructions", 2020.
 //
 // Range. A float is a multiple of 2^-149 below 2^128, hence a sum of products of k of them is a
 // multiple of 2^(-149 k), and so is every rounded partial result and every rounding error on the way
 // (rounding keeps multiples of a smaller power of two). Degrees, and bounds of magnitudes:
 //
-//   a line's entry                            2   2^257   n x + l z of view space; 1 and 2^129 in clip space
+//   a line's entry                            2   2^257   n x + l z; in clip space 1 and 2^129
 //   lambda                                    4   2^515   a difference of two products of entries
 //   lambda . floats                           5   2^645
 //   lambda . line, and numerators             6   2^775   in view space up to two such, times floats

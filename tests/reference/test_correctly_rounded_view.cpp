@@ -188,21 +188,29 @@ TEST_CASE("correctly rounded: in view space a vertex is on its own side of a pla
   CHECK(count[Stage::sign_exact] > 0);
 }
 
-// 0.25 x^2 < 2^-300 beside 1: three components of x + shear z - left matter.
-TEST_CASE("correctly rounded: the third component of a sheared row decides") {
-  const float tiny = 0x1p-70f, shear = 0x1p-70f;
+// On the left plane but for shear z = 2^-140 or its negative.
+TEST_CASE("correctly rounded: a product far below the other terms of a sheared row decides") {
+  const float tiny = GENERATE(0x1p-70f, -0x1p-70f);
   Frustum<float> frustum = kParallelUnit;
-  frustum.shear_x = shear;
-  // x + shear z - left is 0, and a product of 2^-140 beside it.
-  for (const float sign : {1.0f, -1.0f}) {
-    ViewCase c = {frustum, {}, {vertex(-1, 0, -1), vertex(0, 0.5f, -1), vertex(0, 0, -1)}};
-    frustum.near = -1;
-    c.frustum = frustum;
-    for (auto& v : c.triangle) v.position[2] = sign * tiny;
-    const Rows r = clipped(c);
-    CHECK(same_bits(r, expected(c)));
-    CHECK(r.size() == (sign > 0 ? 3 : 4));
-  }
+  frustum.near = -1;
+  frustum.shear_x = 0x1p-70f;
+  const ViewCase c = {
+      frustum, {}, {vertex(-1, 0, tiny), vertex(0, 0.5f, tiny), vertex(0, 0, tiny)}};
+  const Rows r = clipped(c);
+  CHECK(same_bits(r, expected(c)));
+  CHECK(r.size() == (tiny > 0 ? 3 : 4));
+}
+
+// Three components: x - left is 1 + 2^-60, and shear z is 2^-140.
+TEST_CASE("correctly rounded: a sheared row is exact in three components") {
+  Frustum<float> frustum = kParallelUnit;
+  frustum.left = -0x1p-60f;
+  frustum.shear_x = 0x1p-70f;
+  const ViewTriangle<float, 0> triangle = {{{{1, 0, 0x1p-70f}, {}}, {{1, 0, 0}, {}}, {}}};
+  const barycentric::Line row = barycentric::view_row(frustum, Plane::left, triangle);
+  CHECK(row.rounded == barycentric::Values{1, 1, 0x1p-60});
+  CHECK(row.error == barycentric::Values{0x1p-60, 0x1p-60, 0});
+  CHECK(row.rest == barycentric::Values{0x1p-140, 0, 0});
 }
 
 TEST_CASE("correctly rounded: 1/w overflows to infinity only if it rounds there") {

@@ -88,6 +88,13 @@ std::string_view batch_clipper_name(batch::Method method) {
   }
 }
 
+// Of those that compute in more than float: every coordinate and attribute is rounded once, and a coordinate
+// times w by three roundings, which is less than projecting and dividing in float.
+constexpr Promise kRoundedOnce{.ulps = kProjectUlps};
+constexpr Promise kFromOriginals{
+    .ulps = kProjectUlps, .watertight = true, .rotation_invariant = false};
+constexpr Promise kCorrectlyRounded{.ulps = kProjectUlps, .watertight = true};
+
 std::vector<Contestant<float>> batch_contestants() {
   using batch::Method;
   const std::string_view literature = HomogeneousSutherlandHodgman::source;
@@ -99,13 +106,13 @@ std::vector<Contestant<float>> batch_contestants() {
           "many triangles at once: Sutherland-Hodgman in clip space, in SIMD", literature,
           HomogeneousSutherlandHodgman::promise),
       contestant<Method::homogeneous_double>("the same in double, rounded to float once",
-                                             literature, HomogeneousSutherlandHodgman::promise),
+                                             literature, kRoundedOnce),
       contestant<Method::barycentric>(
           "many triangles at once: every vertex from the three original ones, in double", matrix,
-          DistanceMatrix::promise),
+          kFromOriginals),
       contestant<Method::correctly_rounded>(
           "many triangles at once: decisions exact, every float the nearest to the exact value",
-          matrix, DistanceMatrix::promise),
+          matrix, kCorrectlyRounded),
   };
 }
 

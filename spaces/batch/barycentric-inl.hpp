@@ -38,23 +38,26 @@ struct FromOriginals {
   using DU = hn::Rebind<std::uint32_t, D>;
   using Bits = hn::Vec<DU>;
 
+  // One vertex, the apex, is alone on its side of the plane: both edges that the plane cuts meet there.
+  // Polygon: apex, cut of apex-b, cut of apex-c if the apex is inside, else b, c, cut of apex-c, cut of apex-b.
   template <class V>
-  HWY_INLINE int cut_one_plane(const Straddler<V>& s, const CodePlane& plane, V* out) const {
-    const OnePlane& order = kOnePlane[s.outside(plane.bit)];
-    const V *leave_in = s.vertex[order.leave_in], *leave_out = s.vertex[order.leave_out],
-            *enter_in = s.vertex[order.enter_in], *enter_out = s.vertex[order.enter_out];
-    const double d_leave = distance<double>(plane, leave_in),
-                 d_enter = distance<double>(plane, enter_in);
-    if (d_leave == 0 || d_enter == 0) return kGiveUp;  // an inside vertex on the plane
+  HWY_INLINE int cut_one_plane(const V* const vertex[3], const CodePlane& plane, V* out) const {
+    constexpr std::uint8_t kApex[7] = {0, 0, 1, 2, 2, 1, 0}, kNext[3] = {1, 2, 0};
+    const double d[3] = {distance<double>(plane, vertex[0]), distance<double>(plane, vertex[1]),
+                         distance<double>(plane, vertex[2])};
+    if (d[0] == 0 || d[1] == 0 || d[2] == 0) return kGiveUp;  // a vertex on the plane
+    const int a = kApex[outside_mask(d)], b = kNext[a], c = kNext[b];
+    const bool is_inside = d[a] > 0;
+    const V *apex = vertex[a], *end_b = vertex[b], *end_c = vertex[c];
     const std::size_t stride = shape.floats();
-    copy_vertex(shape, s.vertex[order.first], out);
-    copy_vertex(shape, s.vertex[order.second], out + stride);
-    V* cut = out + order.inside * stride;
-    Bits doubt = hn::Zero(DU());
-    const V w = meet_edge(plane, leave_in, leave_out, d_leave, cut, doubt);
-    const V next_w = meet_edge(plane, enter_in, enter_out, d_enter, cut + stride, doubt);
-    const bool certain = !kCertain || hn::AllTrue(DU(), hn::Eq(doubt, hn::Zero(DU())));
-    return certain && w > 0 && next_w > 0 ? order.inside + 2 : kGiveUp;
+    copy_vertex(shape, is_inside ? apex : end_b, out);
+    copy_vertex(shape, end_c, out + stride);
+    const bool certain =
+        write_two_means(apex, end_b, end_c, {std::abs(d[a]), std::abs(d[b]), std::abs(d[c])}, plane,
+                        out + (is_inside ? 1 : 3) * stride, out + 2 * stride);
+    return certain && out[2 * stride + 3] > 0 && out[(is_inside ? 1 : 3) * stride + 3] > 0
+               ? 4 - is_inside
+               : kGiveUp;
   }
 
   template <class V>
@@ -68,17 +71,7 @@ struct FromOriginals {
       for (int i = 0; i < 3; ++i) pool.lines[3 + p][i] = distance<double>(plane, s.vertex[i]);
       if (!cut(3 + p, pool, list)) return kGiveUp;
     }
-    int kept = 0;
-    for (int i = 0; i < list.size; ++i) {
-      V* v = out + kept * shape.floats();
-      if (!write_corner(pool.corners[list.at[i]], s, planes, v)) return kGiveUp;
-      if (v[3] > 0) {
-        ++kept;
-      } else if (kCertain) {
-        return kGiveUp;  // 0, or rounded to it
-      }
-    }
-    return kept < 3 ? 0 : kept;
+    return list.size < 3 || write_corners(list, pool, s, planes, out) ? list.size : kGiveUp;
   }
 
  private:
@@ -95,8 +88,69 @@ struct FromOriginals {
     return hn::Load(DU(), kBits);
   }
 
-  // The mean of a and b with those weights, a point of an edge; whether all lanes (but z, if it is set later) are
-  // certain is added to `doubt`.
+  // Stores vectors of a vertex that are within `error` of q, and adds to `doubt` where that leaves a choice. At
+  // lanes from 0 on lies z, which does not matter if it is set later.
+  template <class V>
+  static HWY_INLINE void store_rounded(hn::Vec<D> q, hn::Vec<D> error, bool sets_z,
+                                       std::size_t lane, V* out, Bits& doubt) {
+    if constexpr (kCertain) {
+      Bits differ = store_between(hn::Sub(q, error), hn::Add(q, error), out);
+      if (lane == 0 && sets_z) differ = hn::And(differ, but_z());
+      doubt = hn::Or(doubt, differ);
+    } else {
+      store(D(), q, out);
+    }
+  }
+
+  static HWY_INLINE bool is_certain(Bits doubt) {
+    return !kCertain || hn::AllTrue(DU(), hn::Eq(doubt, hn::Zero(DU())));
+  }
+
+  // A sum of products that is 0 is +0. Where floats have to be certain a -0 is found out as such.
+  static HWY_INLINE hn::Vec<D> without_minus_zero(hn::Vec<D> sum) {
+    return kCertain ? sum : hn::Add(sum, hn::Zero(D()));
+  }
+
+  struct Distances {
+    double a, b, c;  // magnitudes
+  };
+
+  // Where a plane cuts the edges a-b and a-c.
+  template <class V>
+  HWY_INLINE bool write_two_means(const V* a, const V* b, const V* c, const Distances& d_of,
+                                  const CodePlane& plane, V* to_b, V* to_c) const {
+    const D d;
+    const auto of_a_b = hn::Set(d, d_of.b), of_a_c = hn::Set(d, d_of.c),
+               of_other = hn::Set(d, d_of.a), over_b = hn::Set(d, 1 / (d_of.a + d_of.b)),
+               over_c = hn::Set(d, 1 / (d_of.a + d_of.c));
+    const bool sets_z = plane.w_weight == 0;
+    Bits doubt = hn::Zero(DU());
+    // Whole vectors that reach into the next vertex must not be written before it is.
+    HWY_ALIGN V scratch[2][S::kWidth];
+    V* const out_b = S::kLoadsInPlace ? to_b : scratch[0];
+    V* const out_c = S::kLoadsInPlace ? to_c : scratch[1];
+    for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
+      const auto v_a = load(d, a + i), v_b = load(d, b + i), v_c = load(d, c + i);
+      const auto q_b = hn::Mul(
+          without_minus_zero(hn::Add(hn::Mul(of_a_b, v_a), hn::Mul(of_other, v_b))), over_b);
+      const auto q_c = hn::Mul(
+          without_minus_zero(hn::Add(hn::Mul(of_a_c, v_a), hn::Mul(of_other, v_c))), over_c);
+      const auto size_a = hn::Abs(v_a), unit = hn::Set(d, 16 * 0x1p-53);
+      const auto error_b = hn::Mul(hn::Max(size_a, hn::Abs(v_b)), unit),
+                 error_c = hn::Mul(hn::Max(size_a, hn::Abs(v_c)), unit);
+      store_rounded(q_b, error_b, sets_z, i, out_b + i, doubt);
+      store_rounded(q_c, error_c, sets_z, i, out_c + i, doubt);
+    }
+    set_on_plane(plane, out_b);
+    set_on_plane(plane, out_c);
+    if constexpr (!S::kLoadsInPlace) {
+      std::memcpy(to_b, out_b, shape.floats() * sizeof(V));
+      std::memcpy(to_c, out_c, shape.floats() * sizeof(V));
+    }
+    return is_certain(doubt);
+  }
+
+  // The mean of a and b with those weights, a point of an edge.
   template <class V>
   HWY_INLINE void write_mean(double of_a, const V* a, double of_b, const V* b, bool sets_z, V* out,
                              Bits& doubt) const {
@@ -105,28 +159,10 @@ struct FromOriginals {
                reciprocal = hn::Set(d, 1 / (of_a + of_b));
     for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
       const auto v_a = load(d, a + i), v_b = load(d, b + i);
-      const auto sum = hn::Add(hn::Mul(l_a, v_a), hn::Mul(l_b, v_b));
-      if constexpr (kCertain) {
-        const auto q = hn::Mul(sum, reciprocal);
-        const auto error = hn::Mul(hn::Max(hn::Abs(v_a), hn::Abs(v_b)), hn::Set(d, 16 * 0x1p-53));
-        Bits differ = store_between(hn::Sub(q, error), hn::Add(q, error), out + i);
-        if (i == 0 && sets_z) differ = hn::And(differ, but_z());
-        doubt = hn::Or(doubt, differ);
-      } else {
-        store(d, hn::Mul(hn::Add(sum, hn::Zero(d)), reciprocal), out + i);  // +0 if it is 0
-      }
+      const auto sum = without_minus_zero(hn::Add(hn::Mul(l_a, v_a), hn::Mul(l_b, v_b)));
+      const auto error = hn::Mul(hn::Max(hn::Abs(v_a), hn::Abs(v_b)), hn::Set(d, 16 * 0x1p-53));
+      store_rounded(hn::Mul(sum, reciprocal), error, sets_z, i, out + i, doubt);
     }
-  }
-
-  // Of the edge and the plane; returns w.
-  template <class V>
-  HWY_INLINE V meet_edge(const CodePlane& plane, const V* in, const V* out_vertex, double d_in,
-                         V* out, Bits& doubt) const {
-    write_mean(-distance<double>(plane, out_vertex), in, d_in, out_vertex, plane.w_weight == 0, out,
-               doubt);
-    const V w = out[3];
-    set_on_plane(plane, out);
-    return w;
   }
 
   template <class V>
@@ -193,30 +229,53 @@ struct FromOriginals {
     list.add(pool.size++);
   }
 
-  // Whether the corner was written for certain.
+  // Whether all corners are certain and in front of the eye. The triangle's own vertices first, without a
+  // branch: slots of others are filled later.
+  template <class V>
+  HWY_INLINE bool write_corners(const List& list, const Pool& pool, const Straddler<V>& s,
+                                const std::array<CodePlane, kPlanes>& planes, V* out) const {
+    const std::size_t stride = shape.floats();
+    int slots[3 + 2 * kPlanes], count = 0;
+    for (int i = 0; i < list.size; ++i) {
+      const int number = list.at[i];
+      copy_vertex(shape, s.vertex[number < 3 ? number : 0], out + i * stride);
+      slots[count] = i;
+      count += number >= 3;
+    }
+    Bits doubt = hn::Zero(DU());
+    bool certain = true;
+    for (int i = 0; i < count; ++i) {
+      HWY_ALIGN V scratch[S::kWidth];
+      V* const slot = out + slots[i] * stride;
+      V* const v = S::kLoadsInPlace ? slot : scratch;
+      certain = write_corner(pool.corners[list.at[slots[i]]], s, planes, v, doubt) && certain;
+      if (!S::kLoadsInPlace) std::memcpy(slot, v, stride * sizeof(V));
+    }
+    for (int i = 0; i < list.size; ++i) certain = certain && out[i * stride + 3] > 0;
+    return certain && is_certain(doubt);
+  }
+
+  // Of a corner on one plane or two; whether the sum of its weights is certain.
   template <class V>
   HWY_INLINE bool write_corner(const Corner& c, const Straddler<V>& s,
-                               const std::array<CodePlane, kPlanes>& planes, V* out) const {
+                               const std::array<CodePlane, kPlanes>& planes, V* out,
+                               Bits& doubt) const {
     const int low = std::min(c.from, c.to), high = std::max(c.from, c.to);
-    if (high < 3) {
-      copy_vertex(shape, s.vertex[3 - low - high], out);
-      return true;
-    }
     const auto plane_of = [&](int line) -> const CodePlane& {
       return planes[(line - 1) % kPlanes];
     };
-    Bits doubt = hn::Zero(DU());
+    bool certain = true;
     if (low < 3) {
       const int a = low == 0 ? 1 : 0, b = low == 2 ? 1 : 2;
       write_mean(c.lambda[a], s.vertex[a], c.lambda[b], s.vertex[b], plane_of(high).w_weight == 0,
                  out, doubt);
     } else {
       const bool sets_z = plane_of(low).w_weight == 0 || plane_of(high).w_weight == 0;
-      if (!write_mean(c, s, sets_z, out, doubt)) return false;
+      certain = write_mean(c, s, sets_z, out, doubt);
       set_on_plane(plane_of(low), out);
     }
     set_on_plane(plane_of(high), out);
-    return !kCertain || hn::AllTrue(DU(), hn::Eq(doubt, hn::Zero(DU())));
+    return certain;
   }
 
   // The mean of the three vertices at a meeting of two planes, with the bound of exact_lines.hpp,
@@ -240,17 +299,11 @@ struct FromOriginals {
           magnitude = hn::Add(magnitude, hn::Mul(hn::Set(d, c.magnitude[k]), hn::Abs(v)));
         }
       }
-      const auto q = hn::Mul(sum, reciprocal);
-      if constexpr (kCertain) {
-        const auto of_sum = hn::Mul(magnitude, hn::Set(d, 10 * 0x1p-53));
-        const auto error = hn::Add(hn::Mul(hn::Add(of_sum, hn::Mul(hn::Abs(q), of_total)), weight),
-                                   hn::Mul(hn::Abs(q), hn::Set(d, 0x1p-51)));
-        Bits differ = store_between(hn::Sub(q, error), hn::Add(q, error), out + i);
-        if (i == 0 && sets_z) differ = hn::And(differ, but_z());
-        doubt = hn::Or(doubt, differ);
-      } else {
-        store(d, q, out + i);
-      }
+      const auto q = hn::Mul(sum, reciprocal), of_q = hn::Abs(q),
+                 of_sum = hn::Mul(magnitude, hn::Set(d, 10 * 0x1p-53));
+      const auto error = hn::Add(hn::Mul(hn::Add(of_sum, hn::Mul(of_q, of_total)), weight),
+                                 hn::Mul(of_q, hn::Set(d, 0x1p-51)));
+      store_rounded(q, error, sets_z, i, out + i, doubt);
     }
     return true;
   }

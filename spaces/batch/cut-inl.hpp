@@ -169,17 +169,19 @@ HWY_INLINE List inside_run(const List& list, const Crossing& crossing) {
   return r;
 }
 
-// A triangle that some plane cuts: its vertices, whole vectors readable, and their codes.
+// A mask of the vertices outside a plane. The sign of a rounded sum is the exact one.
+template <class T>
+HWY_INLINE unsigned outside_mask(const T d[3]) {
+  return static_cast<unsigned>(d[0] < 0) | static_cast<unsigned>(d[1] < 0) << 1 |
+         static_cast<unsigned>(d[2] < 0) << 2;
+}
+
+// A triangle that some planes cut: its vertices, whole vectors readable, and their codes.
 template <class V>
 struct Straddler {
   const V* vertex[3];
   unsigned code[3];
   unsigned any;
-
-  // Mask of the vertices outside the plane of that bit.
-  HWY_INLINE unsigned outside(int bit) const {
-    return (code[0] >> bit & 1) | (code[1] >> bit & 1) << 1 | (code[2] >> bit & 1) << 2;
-  }
 };
 
 // Sutherland-Hodgman in T, float or double, of vertices of V in a space with its limits and planes. Both
@@ -191,21 +193,20 @@ struct Chain {
   const std::array<Plane, kPlanes>& planes;
 
   template <class V, class To>
-  HWY_INLINE int cut_one_plane(const Straddler<V>& s, const Plane& plane, To* out) const {
-    const OnePlane& order = kOnePlane[s.outside(plane.bit)];
-    const V *leave_in = s.vertex[order.leave_in], *leave_out = s.vertex[order.leave_out],
-            *enter_in = s.vertex[order.enter_in], *enter_out = s.vertex[order.enter_out];
-    const T d_leave = distance<T>(plane, leave_in), d_enter = distance<T>(plane, enter_in);
-    if (d_leave == 0 || d_enter == 0) return kGiveUp;  // an inside vertex on the plane
-    const T leave = d_leave / (d_leave - distance<T>(plane, leave_out)),
-            enter = d_enter / (d_enter - distance<T>(plane, enter_out));
+  HWY_INLINE int cut_one_plane(const V* const vertex[3], const Plane& plane, To* out) const {
+    const T d[3] = {distance<T>(plane, vertex[0]), distance<T>(plane, vertex[1]),
+                    distance<T>(plane, vertex[2])};
+    if (d[0] == 0 || d[1] == 0 || d[2] == 0) return kGiveUp;  // a vertex on the plane
+    const OnePlane& order = kOnePlane[outside_mask(d)];
+    const T leave = d[order.leave_in] / (d[order.leave_in] - d[order.leave_out]),
+            enter = d[order.enter_in] / (d[order.enter_in] - d[order.enter_out]);
     const std::size_t stride = shape.floats();
-    copy_vertex(shape, s.vertex[order.first], out);
-    copy_vertex(shape, s.vertex[order.second], out + stride);
+    copy_vertex(shape, vertex[order.first], out);
+    copy_vertex(shape, vertex[order.second], out + stride);
     To* cut = out + order.inside * stride;
-    meet<T>(shape, leave_in, leave_out, leave, cut);
+    meet<T>(shape, vertex[order.leave_in], vertex[order.leave_out], leave, cut);
     const To w = cut[3];
-    meet<T>(shape, enter_in, enter_out, enter, cut + stride);
+    meet<T>(shape, vertex[order.enter_in], vertex[order.enter_out], enter, cut + stride);
     return w > 0 && cut[stride + 3] > 0 ? order.inside + 2 : kGiveUp;
   }
 

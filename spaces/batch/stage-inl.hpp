@@ -39,19 +39,19 @@ class Cutter {
   // Vertices written to `out`, or kGiveUp: then the plain version has to do it. any: the bits that some
   // vertex has; not 0.
   HWY_INLINE int cut(const V* const vertex[3], unsigned any, V* out, Tally& tally) const {
-    int count = kGiveUp;
     if (!is_moderate(vertex)) {
       ++tally.plain;
       return kGiveUp;
     }
-    const Straddler<V> s{{vertex[0], vertex[1], vertex[2]},
-                         {vertex_code(limits, vertex[0]), vertex_code(limits, vertex[1]),
-                          vertex_code(limits, vertex[2])},
-                         any};
+    int count;
     if ((any & kPlaneBits) != 0 && (any & (any - 1)) == 0) {
-      count = cut_one_plane(s, by_bit_[std::countr_zero(any)], out);
+      count = cut_one_plane(vertex, by_bit_[std::countr_zero(any)], out);
       tally.one_plane += count != kGiveUp;
     } else {
+      const Straddler<V> s{{vertex[0], vertex[1], vertex[2]},
+                           {vertex_code(limits, vertex[0]), vertex_code(limits, vertex[1]),
+                            vertex_code(limits, vertex[2])},
+                           any};
       count = cut_planes(s, out);
       tally.planes += count != kGiveUp;
     }
@@ -70,11 +70,11 @@ class Cutter {
     for (const CutPlane& plane : planes_) by_bit_[plane.bit] = plane;
   }
 
-  HWY_INLINE int cut_one_plane(const Straddler<V>& s, const CutPlane& plane, V* out) const {
+  HWY_INLINE int cut_one_plane(const V* const vertex[3], const CutPlane& plane, V* out) const {
     if constexpr (kIsChain) {
-      return ChainOf{shape, limits, planes_}.cut_one_plane(s, plane, out);
+      return ChainOf{shape, limits, planes_}.cut_one_plane(vertex, plane, out);
     } else {
-      return Originals{shape}.cut_one_plane(s, plane, out);
+      return Originals{shape}.cut_one_plane(vertex, plane, out);
     }
   }
 

@@ -48,21 +48,18 @@ struct FromOriginals {
     if (d[0] == 0 || d[1] == 0 || d[2] == 0) return kGiveUp;  // a vertex on the plane
     const int a = kApex[outside_mask(d)], b = kNext[a], c = kNext[b];
     const bool is_inside = d[a] > 0;
-    const V *apex = vertex[a], *end_b = vertex[b], *end_c = vertex[c];
     const std::size_t stride = shape.floats();
-    copy_vertex(shape, is_inside ? apex : end_b, out);
-    copy_vertex(shape, end_c, out + stride);
+    copy_vertex(shape, vertex[is_inside ? a : b], out);
+    copy_vertex(shape, vertex[c], out + stride);
     const bool certain =
-        write_two_means(apex, end_b, end_c, {std::abs(d[a]), std::abs(d[b]), std::abs(d[c])}, plane,
+        write_two_means(vertex, {a, b, c}, {std::abs(d[a]), std::abs(d[b]), std::abs(d[c])}, plane,
                         out + (is_inside ? 1 : 3) * stride, out + 2 * stride);
-    return certain && out[2 * stride + 3] > 0 && out[(is_inside ? 1 : 3) * stride + 3] > 0
-               ? 4 - is_inside
-               : kGiveUp;
+    return certain ? 4 - is_inside : kGiveUp;
   }
 
   template <class V>
-  HWY_NOINLINE int cut_planes(const Straddler<V>& s, const std::array<CodePlane, kPlanes>& planes,
-                              V* out) const {
+  HWY_INLINE int cut_planes(const Straddler<V>& s, const std::array<CodePlane, kPlanes>& planes,
+                            V* out) const {
     Pool pool;
     List list{{0, 1, 2}, 3};
     for (int p = 0; p < kPlanes; ++p) {
@@ -82,24 +79,32 @@ struct FromOriginals {
     return hn::Xor(hn::BitCast(DU(), a), hn::BitCast(DU(), b));
   }
 
-  // Ones in all lanes but z's: there it lies on its plane z = 0 and is set.
-  static HWY_INLINE Bits but_z() {
-    HWY_ALIGN static constexpr std::uint32_t kBits[8] = {~0u, ~0u, 0, ~0u, ~0u, ~0u, ~0u, ~0u};
-    return hn::Load(DU(), kBits);
+  // Ones in the lanes of a vertex's first vector that have to be certain: all, or all but z, which is set where
+  // it lies on its plane z = 0.
+  static HWY_INLINE Bits first_lanes(bool sets_z) {
+    HWY_ALIGN static constexpr std::uint32_t kBits[2][8] = {
+        {~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u}, {~0u, ~0u, 0, ~0u, ~0u, ~0u, ~0u, ~0u}};
+    return hn::Load(DU(), kBits[sets_z]);
   }
 
-  // Stores vectors of a vertex that are within `error` of q, and adds to `doubt` where that leaves a choice. At
-  // lanes from 0 on lies z, which does not matter if it is set later.
+  // Stores what is within `error` of q, rounded, and returns the bits that this leaves open.
   template <class V>
-  static HWY_INLINE void store_rounded(hn::Vec<D> q, hn::Vec<D> error, bool sets_z,
-                                       std::size_t lane, V* out, Bits& doubt) {
+  static HWY_INLINE Bits store_rounded(hn::Vec<D> q, hn::Vec<D> error, V* out) {
     if constexpr (kCertain) {
-      Bits differ = store_between(hn::Sub(q, error), hn::Add(q, error), out);
-      if (lane == 0 && sets_z) differ = hn::And(differ, but_z());
-      doubt = hn::Or(doubt, differ);
+      return store_between(hn::Sub(q, error), hn::Add(q, error), out);
     } else {
       store(D(), q, out);
+      return hn::Zero(DU());
     }
+  }
+
+  static HWY_INLINE Bits add_doubt(Bits doubt, Bits more, std::size_t lane, Bits first) {
+    return hn::Or(doubt, lane == 0 ? hn::And(more, first) : more);
+  }
+
+  // More than the error of a mean of a and b.
+  static HWY_INLINE hn::Vec<D> edge_error(hn::Vec<D> a, hn::Vec<D> b) {
+    return hn::Mul(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Set(D(), 16 * 0x1p-53));
   }
 
   static HWY_INLINE bool is_certain(Bits doubt) {
@@ -115,15 +120,17 @@ struct FromOriginals {
     double a, b, c;  // magnitudes
   };
 
-  // Where a plane cuts the edges a-b and a-c.
+  // Where a plane cuts the edges a-b and a-c, the numbers of vertices.
   template <class V>
-  HWY_INLINE bool write_two_means(const V* a, const V* b, const V* c, const Distances& d_of,
-                                  const CodePlane& plane, V* to_b, V* to_c) const {
+  HWY_INLINE bool write_two_means(const V* const vertex[3], const std::array<int, 3>& number,
+                                  const Distances& d_of, const CodePlane& plane, V* to_b,
+                                  V* to_c) const {
     const D d;
     const auto of_a_b = hn::Set(d, d_of.b), of_a_c = hn::Set(d, d_of.c),
                of_other = hn::Set(d, d_of.a), over_b = hn::Set(d, 1 / (d_of.a + d_of.b)),
                over_c = hn::Set(d, 1 / (d_of.a + d_of.c));
-    const bool sets_z = plane.w_weight == 0;
+    const V *a = vertex[number[0]], *b = vertex[number[1]], *c = vertex[number[2]];
+    const Bits first = first_lanes(plane.w_weight == 0);
     Bits doubt = hn::Zero(DU());
     // Whole vectors that reach into the next vertex must not be written before it is.
     HWY_ALIGN V scratch[2][S::kWidth];
@@ -131,15 +138,13 @@ struct FromOriginals {
     V* const out_c = S::kLoadsInPlace ? to_c : scratch[1];
     for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
       const auto v_a = load(d, a + i), v_b = load(d, b + i), v_c = load(d, c + i);
-      const auto q_b = hn::Mul(
-          without_minus_zero(hn::Add(hn::Mul(of_a_b, v_a), hn::Mul(of_other, v_b))), over_b);
-      const auto q_c = hn::Mul(
-          without_minus_zero(hn::Add(hn::Mul(of_a_c, v_a), hn::Mul(of_other, v_c))), over_c);
-      const auto size_a = hn::Abs(v_a), unit = hn::Set(d, 16 * 0x1p-53);
-      const auto error_b = hn::Mul(hn::Max(size_a, hn::Abs(v_b)), unit),
-                 error_c = hn::Mul(hn::Max(size_a, hn::Abs(v_c)), unit);
-      store_rounded(q_b, error_b, sets_z, i, out_b + i, doubt);
-      store_rounded(q_c, error_c, sets_z, i, out_c + i, doubt);
+      const auto sum_b = hn::Add(hn::Mul(of_a_b, v_a), hn::Mul(of_other, v_b)),
+                 sum_c = hn::Add(hn::Mul(of_a_c, v_a), hn::Mul(of_other, v_c));
+      const Bits open_b = store_rounded(hn::Mul(without_minus_zero(sum_b), over_b),
+                                        edge_error(v_a, v_b), out_b + i);
+      const Bits open_c = store_rounded(hn::Mul(without_minus_zero(sum_c), over_c),
+                                        edge_error(v_a, v_c), out_c + i);
+      doubt = add_doubt(doubt, hn::Or(open_b, open_c), i, first);
     }
     set_on_plane(plane, out_b);
     set_on_plane(plane, out_c);
@@ -150,24 +155,30 @@ struct FromOriginals {
     return is_certain(doubt);
   }
 
-  // The mean of a and b with those weights, a point of an edge.
+  // The mean of vertices a and b with those weights, a point of an edge.
   template <class V>
-  HWY_INLINE void write_mean(double of_a, const V* a, double of_b, const V* b, bool sets_z, V* out,
-                             Bits& doubt) const {
+  HWY_INLINE void write_mean(double of_a, int a, double of_b, int b, const V* const vertex[3],
+                             bool sets_z, V* out, Bits& doubt) const {
     const D d;
     const auto l_a = hn::Set(d, of_a), l_b = hn::Set(d, of_b),
                reciprocal = hn::Set(d, 1 / (of_a + of_b));
+    const Bits first = first_lanes(sets_z);
     for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
-      const auto v_a = load(d, a + i), v_b = load(d, b + i);
-      const auto sum = without_minus_zero(hn::Add(hn::Mul(l_a, v_a), hn::Mul(l_b, v_b)));
-      const auto error = hn::Mul(hn::Max(hn::Abs(v_a), hn::Abs(v_b)), hn::Set(d, 16 * 0x1p-53));
-      store_rounded(hn::Mul(sum, reciprocal), error, sets_z, i, out + i, doubt);
+      const auto v_a = load(d, vertex[a] + i), v_b = load(d, vertex[b] + i);
+      const auto sum = hn::Add(hn::Mul(l_a, v_a), hn::Mul(l_b, v_b));
+      const auto q = hn::Mul(without_minus_zero(sum), reciprocal);
+      doubt = add_doubt(doubt, store_rounded(q, edge_error(v_a, v_b), out + i), i, first);
     }
   }
 
+  // Floats that are certain lie on their plane by themselves, unless it is z = 0.
   template <class V>
   static HWY_INLINE void set_on_plane(const CodePlane& plane, V* out) {
-    out[plane.axis] = plane.w_weight == 0 ? V(0) : -plane.c_weight * out[3];
+    if (plane.w_weight == 0) {
+      out[plane.axis] = 0;
+    } else if (!kCertain) {
+      out[plane.axis] = -plane.c_weight * out[3];
+    }
   }
 
   // lambda = line `from` x line `to`, see `barycentric::meet`. Lines 0 to 2 are the triangle's edges, each
@@ -267,8 +278,8 @@ struct FromOriginals {
     bool certain = true;
     if (low < 3) {
       const int a = low == 0 ? 1 : 0, b = low == 2 ? 1 : 2;
-      write_mean(c.lambda[a], s.vertex[a], c.lambda[b], s.vertex[b], plane_of(high).w_weight == 0,
-                 out, doubt);
+      write_mean(c.lambda[a], a, c.lambda[b], b, s.vertex, plane_of(high).w_weight == 0, out,
+                 doubt);
     } else {
       const bool sets_z = plane_of(low).w_weight == 0 || plane_of(high).w_weight == 0;
       certain = write_mean(c, s, sets_z, out, doubt);
@@ -289,10 +300,10 @@ struct FromOriginals {
     if (kCertain && !(total > 0x1p20 * total_error)) return false;
     const auto reciprocal = hn::Set(d, 1 / total), weight = hn::Set(d, 1 / total * (1 + 0x1p-18)),
                of_total = hn::Set(d, total_error);
+    const Bits first = first_lanes(sets_z);
     for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
       auto sum = hn::Zero(d), magnitude = hn::Zero(d);
       for (int k = 0; k < 3; ++k) {
-        if (c.magnitude[k] == 0) continue;  // takes no part, whatever its attributes
         const auto v = load(d, s.vertex[k] + i);
         sum = hn::Add(sum, hn::Mul(hn::Set(d, c.lambda[k]), v));
         if (kCertain) {
@@ -303,7 +314,7 @@ struct FromOriginals {
                  of_sum = hn::Mul(magnitude, hn::Set(d, 10 * 0x1p-53));
       const auto error = hn::Add(hn::Mul(hn::Add(of_sum, hn::Mul(of_q, of_total)), weight),
                                  hn::Mul(of_q, hn::Set(d, 0x1p-51)));
-      store_rounded(q, error, sets_z, i, out + i, doubt);
+      doubt = add_doubt(doubt, store_rounded(q, error, out + i), i, first);
     }
     return true;
   }

@@ -60,16 +60,18 @@ HWY_INLINE void store(D d, hn::Vec<D> v, To* p) {
   }
 }
 
-// Whether the three positions are finite, and so far from the largest number that no difference or sum of
-// two products with weights in [0, 1] overflows.
-template <class V>
-HWY_INLINE bool is_moderate(const V* const v[3]) {
-  const hn::CappedTag<V, 4> d;
+// Whether all coordinates and attributes of three vertices are finite, and so far from the largest number
+// that no difference or sum of two products with weights in [0, 1] overflows.
+template <class S, class V>
+HWY_INLINE bool is_moderate(const S& shape, const V* const v[3]) {
+  const LanesOf<V, S> d;
   const auto most = hn::Set(d, std::numeric_limits<V>::max() / 4);
   bool ok = true;
-  for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
-    const auto at = [&](int k) { return hn::Le(hn::Abs(hn::LoadU(d, v[k] + i)), most); };
-    ok = ok && hn::AllTrue(d, hn::And(at(0), hn::And(at(1), at(2))));
+  for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
+    const auto sum =
+        hn::Add(hn::Abs(hn::LoadU(d, v[0] + i)),
+                hn::Add(hn::Abs(hn::LoadU(d, v[1] + i)), hn::Abs(hn::LoadU(d, v[2] + i))));
+    ok = ok && hn::AllTrue(d, hn::Le(sum, most));
   }
   return ok;
 }
@@ -137,8 +139,8 @@ inline constexpr int kGiveUp = -1;
 
 // A convex polygon's vertices as numbers in a pool.
 struct List {
-  std::uint8_t at[3 + 2 * kPlanes + 1];
-  int size;
+  std::uint8_t at[3 + 2 * kPlanes + 1] = {};
+  int size = 0;
 
   HWY_INLINE void add(int number) { at[size++] = static_cast<std::uint8_t>(number); }
 };
@@ -211,7 +213,7 @@ struct Chain {
   }
 
   template <class V, class To>
-  HWY_NOINLINE int cut_planes(const Straddler<V>& s, To* out) const {
+  HWY_INLINE int cut_planes(const Straddler<V>& s, To* out) const {
     Pool pool;
     for (int i = 0; i < 3; ++i) {
       load_vertex(s.vertex[i], pool.vertex[i]);

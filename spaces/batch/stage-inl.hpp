@@ -39,23 +39,18 @@ class Cutter {
   // Vertices written to `out`, or kGiveUp: then the plain version has to do it. any: the bits that some
   // vertex has; not 0.
   HWY_INLINE int cut(const V* const vertex[3], unsigned any, V* out, Tally& tally) const {
-    if (!is_moderate(vertex)) {
+    if (!is_moderate(shape, vertex)) {
       ++tally.plain;
       return kGiveUp;
     }
-    int count;
-    if ((any & kPlaneBits) != 0 && (any & (any - 1)) == 0) {
-      count = cut_one_plane(vertex, by_bit_[std::countr_zero(any)], out);
-      tally.one_plane += count != kGiveUp;
-    } else {
-      const Straddler<V> s{{vertex[0], vertex[1], vertex[2]},
-                           {vertex_code(limits, vertex[0]), vertex_code(limits, vertex[1]),
-                            vertex_code(limits, vertex[2])},
-                           any};
-      count = cut_planes(s, out);
-      tally.planes += count != kGiveUp;
+    const bool one = (any & kPlaneBits) != 0 && (any & (any - 1)) == 0;
+    ++(one ? tally.one_plane : tally.planes);
+    const int count = one ? cut_one_plane(vertex, by_bit_[std::countr_zero(any)], out)
+                          : cut_planes(vertex, any, out);
+    if (count == kGiveUp) {
+      --(one ? tally.one_plane : tally.planes);
+      ++(kMethod == Method::correctly_rounded ? tally.exact : tally.plain);
     }
-    if (count == kGiveUp) ++(kMethod == Method::correctly_rounded ? tally.exact : tally.plain);
     return count;
   }
 
@@ -78,7 +73,11 @@ class Cutter {
     }
   }
 
-  HWY_INLINE int cut_planes(const Straddler<V>& s, V* out) const {
+  HWY_NOINLINE int cut_planes(const V* const vertex[3], unsigned any, V* out) const {
+    const Straddler<V> s{{vertex[0], vertex[1], vertex[2]},
+                         {vertex_code(limits, vertex[0]), vertex_code(limits, vertex[1]),
+                          vertex_code(limits, vertex[2])},
+                         any};
     if constexpr (kIsChain) {
       return ChainOf{shape, limits, planes_}.cut_planes(s, out);
     } else {

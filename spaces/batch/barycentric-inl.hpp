@@ -29,6 +29,25 @@
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
 
+// A triangle that one plane cuts has one vertex, the apex, alone on its side: both edges that are cut meet
+// there. Polygon: apex, cut of apex-b, cut of apex-c if the apex is inside, else b, c, cut of apex-c, cut
+// of apex-b. Looked up, since a branch would be mispredicted half of the time.
+struct Apex {
+  std::uint8_t apex, b, c;
+  std::uint8_t first;  // vertex of the polygon
+  std::uint8_t
+      place_of_b;     // of the cut of apex-b in the polygon; that of apex-c is the third vertex
+  std::uint8_t size;  // of the polygon
+};
+// By the mask of outside vertices, 1 to 6.
+inline constexpr Apex kApex[7] = {{},
+                                  {0, 1, 2, 1, 3, 4},
+                                  {1, 2, 0, 2, 3, 4},
+                                  {2, 0, 1, 2, 1, 3},
+                                  {2, 0, 1, 0, 3, 4},
+                                  {1, 2, 0, 1, 1, 3},
+                                  {0, 1, 2, 0, 1, 3}};
+
 template <bool kCertain, class S>
 struct FromOriginals {
   const S& shape;
@@ -38,23 +57,18 @@ struct FromOriginals {
   using DU = hn::Rebind<std::uint32_t, D>;
   using Bits = hn::Vec<DU>;
 
-  // One vertex, the apex, is alone on its side of the plane: both edges that the plane cuts meet there.
-  // Polygon: apex, cut of apex-b, cut of apex-c if the apex is inside, else b, c, cut of apex-c, cut of apex-b.
   template <class V>
   HWY_INLINE int cut_one_plane(const V* const vertex[3], const CodePlane& plane, V* out) const {
-    constexpr std::uint8_t kApex[7] = {0, 0, 1, 2, 2, 1, 0}, kNext[3] = {1, 2, 0};
     const double d[3] = {distance<double>(plane, vertex[0]), distance<double>(plane, vertex[1]),
                          distance<double>(plane, vertex[2])};
     if (d[0] == 0 || d[1] == 0 || d[2] == 0) return kGiveUp;  // a vertex on the plane
-    const int a = kApex[outside_mask(d)], b = kNext[a], c = kNext[b];
-    const bool is_inside = d[a] > 0;
+    const Apex& order = kApex[outside_mask(d)];
     const std::size_t stride = shape.floats();
-    copy_vertex(shape, vertex[is_inside ? a : b], out);
-    copy_vertex(shape, vertex[c], out + stride);
+    copy_vertex(shape, vertex[order.first], out);
+    copy_vertex(shape, vertex[order.c], out + stride);
     const bool certain =
-        write_two_means(vertex, {a, b, c}, {std::abs(d[a]), std::abs(d[b]), std::abs(d[c])}, plane,
-                        out + (is_inside ? 1 : 3) * stride, out + 2 * stride);
-    return certain ? 4 - is_inside : kGiveUp;
+        write_two_means(vertex, order, d, plane, out + order.place_of_b * stride, out + 2 * stride);
+    return certain ? order.size : kGiveUp;
   }
 
   template <class V>
@@ -116,20 +130,16 @@ struct FromOriginals {
     return kCertain ? sum : hn::Add(sum, hn::Zero(D()));
   }
 
-  struct Distances {
-    double a, b, c;  // magnitudes
-  };
-
-  // Where a plane cuts the edges a-b and a-c, the numbers of vertices.
+  // Where a plane, at distances d of the vertices, cuts the edges from the apex to b and c.
   template <class V>
-  HWY_INLINE bool write_two_means(const V* const vertex[3], const std::array<int, 3>& number,
-                                  const Distances& d_of, const CodePlane& plane, V* to_b,
-                                  V* to_c) const {
+  HWY_INLINE bool write_two_means(const V* const vertex[3], const Apex& order, const double d_of[3],
+                                  const CodePlane& plane, V* to_b, V* to_c) const {
     const D d;
-    const auto of_a_b = hn::Set(d, d_of.b), of_a_c = hn::Set(d, d_of.c),
-               of_other = hn::Set(d, d_of.a), over_b = hn::Set(d, 1 / (d_of.a + d_of.b)),
-               over_c = hn::Set(d, 1 / (d_of.a + d_of.c));
-    const V *a = vertex[number[0]], *b = vertex[number[1]], *c = vertex[number[2]];
+    const double d_apex = std::abs(d_of[order.apex]), d_b = std::abs(d_of[order.b]),
+                 d_c = std::abs(d_of[order.c]);
+    const auto of_a_b = hn::Set(d, d_b), of_a_c = hn::Set(d, d_c), of_other = hn::Set(d, d_apex),
+               over_b = hn::Set(d, 1 / (d_apex + d_b)), over_c = hn::Set(d, 1 / (d_apex + d_c));
+    const V *a = vertex[order.apex], *b = vertex[order.b], *c = vertex[order.c];
     const Bits first = first_lanes(plane.w_weight == 0);
     Bits doubt = hn::Zero(DU());
     // Whole vectors that reach into the next vertex must not be written before it is.
@@ -246,7 +256,7 @@ struct FromOriginals {
   HWY_INLINE bool write_corners(const List& list, const Pool& pool, const Straddler<V>& s,
                                 const std::array<CodePlane, kPlanes>& planes, V* out) const {
     const std::size_t stride = shape.floats();
-    int slots[3 + 2 * kPlanes], count = 0;
+    int slots[3 + 2 * kPlanes] = {}, count = 0;
     for (int i = 0; i < list.size; ++i) {
       const int number = list.at[i];
       copy_vertex(shape, s.vertex[number < 3 ? number : 0], out + i * stride);

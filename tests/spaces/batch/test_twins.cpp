@@ -4,6 +4,7 @@
 #include <hwy/targets.h>
 
 #include <optional>
+#include <random>
 
 #include "tests/catch.hpp"
 #include "tests/spaces/batch/inputs.hpp"
@@ -114,6 +115,25 @@ TEST_CASE("batch: in the full contract, too, SIMD gives the bits of the plain ve
       });
     }
   }
+}
+
+// Not run by default: `clipscope_batch_tests '[.long]'`, each time with other triangles.
+TEST_CASE("batch: a long comparison of SIMD with the plain version", "[.long]") {
+  const std::uint64_t seed = std::random_device()();
+  CAPTURE(seed);
+  Random random(seed);
+  std::uint64_t coordinates = 0;
+  for (int round = 0; round < 200; ++round) {
+    const Soup soup = make_soup(random, kNumbers[round % kNumbers.size()], 4, 20000);
+    for (const Method method : kStageMethods) {
+      Output plain, simd;
+      clip(method, {}, soup.array(), plain, Build::plain);
+      clip(method, {}, soup.array(), simd);
+      REQUIRE(first_difference(plain, simd) == std::nullopt);
+      coordinates += simd.vertices().size();
+    }
+  }
+  WARN(coordinates << " coordinates and attributes have equal bits");
 }
 
 }  // namespace clipscope::batch::tests

@@ -197,11 +197,19 @@ struct FromOriginals {
     double lambda[3], magnitude[3];
     std::uint8_t from, to;
   };
+  // Beyond `size` and the lines of planes that cut, nothing is set.
   struct Pool {
-    Corner corners[3 + 2 * kPlanes] = {
-        {{1, 0, 0}, {1, 0, 0}, 1, 2}, {{0, 1, 0}, {0, 1, 0}, 2, 0}, {{0, 0, 1}, {0, 0, 1}, 0, 1}};
-    double lines[3 + kPlanes][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    Corner corners[3 + 2 * kPlanes];
+    double lines[3 + kPlanes][3];
     int size = 3;
+
+    Pool() {
+      static constexpr Corner kVertices[3] = {
+          {{1, 0, 0}, {1, 0, 0}, 1, 2}, {{0, 1, 0}, {0, 1, 0}, 2, 0}, {{0, 0, 1}, {0, 0, 1}, 0, 1}};
+      static constexpr double kEdges[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+      std::memcpy(corners, kVertices, sizeof kVertices);
+      std::memcpy(lines, kEdges, sizeof kEdges);
+    }
   };
 
   // Whether all signs were certain and the outside corners one run.
@@ -239,12 +247,14 @@ struct FromOriginals {
   static HWY_INLINE void add_corner(int from, int to, Pool& pool, List& list) {
     const double *a = pool.lines[from], *b = pool.lines[to];
     Corner& c = pool.corners[pool.size];
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const auto set = [&](int i, int j, int k) {
       const double first = a[j] * b[k], second = a[k] * b[j];
       c.lambda[i] = first - second;
       c.magnitude[i] = std::abs(first) + std::abs(second);
-    }
+    };
+    set(0, 1, 2);
+    set(1, 2, 0);
+    set(2, 0, 1);
     c.from = static_cast<std::uint8_t>(from);
     c.to = static_cast<std::uint8_t>(to);
     list.add(pool.size++);
@@ -256,7 +266,7 @@ struct FromOriginals {
   HWY_INLINE bool write_corners(const List& list, const Pool& pool, const Straddler<V>& s,
                                 const std::array<CodePlane, kPlanes>& planes, V* out) const {
     const std::size_t stride = shape.floats();
-    int slots[3 + 2 * kPlanes] = {}, count = 0;
+    int slots[3 + 2 * kPlanes], count = 0;
     for (int i = 0; i < list.size; ++i) {
       const int number = list.at[i];
       copy_vertex(shape, s.vertex[number < 3 ? number : 0], out + i * stride);
@@ -310,16 +320,18 @@ struct FromOriginals {
     if (kCertain && !(total > 0x1p20 * total_error)) return false;
     const auto reciprocal = hn::Set(d, 1 / total), weight = hn::Set(d, 1 / total * (1 + 0x1p-18)),
                of_total = hn::Set(d, total_error);
+    const auto l_0 = hn::Set(d, c.lambda[0]), l_1 = hn::Set(d, c.lambda[1]),
+               l_2 = hn::Set(d, c.lambda[2]), m_0 = hn::Set(d, c.magnitude[0]),
+               m_1 = hn::Set(d, c.magnitude[1]), m_2 = hn::Set(d, c.magnitude[2]);
     const Bits first = first_lanes(sets_z);
     for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
-      auto sum = hn::Zero(d), magnitude = hn::Zero(d);
-      for (int k = 0; k < 3; ++k) {
-        const auto v = load(d, s.vertex[k] + i);
-        sum = hn::Add(sum, hn::Mul(hn::Set(d, c.lambda[k]), v));
-        if (kCertain) {
-          magnitude = hn::Add(magnitude, hn::Mul(hn::Set(d, c.magnitude[k]), hn::Abs(v)));
-        }
-      }
+      const auto v_0 = load(d, s.vertex[0] + i), v_1 = load(d, s.vertex[1] + i),
+                 v_2 = load(d, s.vertex[2] + i);
+      const auto sum = hn::Add(hn::Add(hn::Add(hn::Zero(d), hn::Mul(l_0, v_0)), hn::Mul(l_1, v_1)),
+                               hn::Mul(l_2, v_2));
+      const auto magnitude =
+          hn::Add(hn::Add(hn::Mul(m_0, hn::Abs(v_0)), hn::Mul(m_1, hn::Abs(v_1))),
+                  hn::Mul(m_2, hn::Abs(v_2)));
       const auto q = hn::Mul(sum, reciprocal), of_q = hn::Abs(q),
                  of_sum = hn::Mul(magnitude, hn::Set(d, 10 * 0x1p-53));
       const auto error = hn::Add(hn::Mul(hn::Add(of_sum, hn::Mul(of_q, of_total)), weight),

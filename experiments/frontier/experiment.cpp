@@ -10,6 +10,7 @@
 #include "experiments/experiment.hpp"
 #include "experiments/frontier/contest.hpp"
 #include "experiments/frontier/plots.hpp"
+#include "experiments/frontier/rounding_stages.hpp"
 #include "experiments/frontier/tables.hpp"
 #include "experiments/measure/machine.hpp"
 #include "experiments/measure/worst_input.hpp"
@@ -85,9 +86,9 @@ void run_frontier(const ExperimentContext& context) {
                               .milliseconds_per_run = selection.quick ? 0.3 : 2.0,
                               .checked_triangles = selection.quick ? 24u : 256u};
   Table frontier = frontier_table(), steps = frontier_steps_table(),
-        refused = frontier_refused_table();
+        refused = frontier_refused_table(), rounding = rounding_stages_table();
   for (const std::string& name : sets(selection)) {
-    context.cell("set " + name, {&frontier, &steps, &refused}, [&](CellRecord& record) {
+    context.cell("set " + name, {&frontier, &steps, &refused, &rounding}, [&](CellRecord& record) {
       const Scene scene = load_selected_scene(selection, name);
       const auto batches = timed_batches(scene, triangle_limit(selection, scene));
       std::size_t triangles = 0;
@@ -98,6 +99,7 @@ void run_frontier(const ExperimentContext& context) {
       add_step_rows(scene.name, entries, steps);
       add_refused_rows(scene.name, entries, refused);
       record_entries(selection, scene, batches, contestants, entries, record);
+      add_rounding_stage_rows(scene.name, batches, rounding);
       add_stage(selection, scene, options, {&frontier, &steps, &refused}, record);
     });
   }
@@ -105,6 +107,7 @@ void run_frontier(const ExperimentContext& context) {
   steps.add_note(machine_description());
   context.emit(frontier);
   context.emit(steps);
+  context.emit(rounding);
   if (!refused.rows().empty()) context.emit(refused);
   for (const std::string& set : sets_of(frontier)) {
     for (const ErrorMeasure measure : kErrorMeasures) {

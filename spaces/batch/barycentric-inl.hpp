@@ -3,8 +3,9 @@
 // One straddling triangle whose new vertices come from its three own ones, in double: value =
 // sum lambda_i v_i / sum lambda_i, in SIMD over the coordinates and attributes of a vertex.
 //
-// kCertain, of floats only: the value of each float is known to within a proved bound, and the floats nearest to both ends
-// of that interval are the same; else the triangle is handed back, to be settled by expansions.
+// kCertain, of floats only: the value of each float is known to within a proved bound, and the floats
+// nearest to both ends of that interval are the same; else the triangle is handed back, to be settled by
+// expansions.
 //
 // Lemma (one plane). lambda of an edge is (-d_out, d_in), both positive: doubles within u = 2^-53 of the exact
 // distances, relatively. The products of lambda and floats a and b carry one rounding more, their sum
@@ -34,10 +35,9 @@ namespace clipscope::batch::HWY_NAMESPACE {
 // of apex-b. Looked up, since a branch would be mispredicted half of the time.
 struct Apex {
   std::uint8_t apex, b, c;
-  std::uint8_t first;  // vertex of the polygon
-  std::uint8_t
-      place_of_b;     // of the cut of apex-b in the polygon; that of apex-c is the third vertex
-  std::uint8_t size;  // of the polygon
+  std::uint8_t first;       // vertex of the polygon
+  std::uint8_t place_of_b;  // in the polygon: the cut of apex-b; that of apex-c is the third vertex
+  std::uint8_t size;        // of the polygon
 };
 // By the mask of outside vertices, 1 to 6.
 inline constexpr Apex kApex[7] = {{},

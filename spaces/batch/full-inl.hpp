@@ -49,8 +49,8 @@ class ProjectionLanes {
   HWY_ALIGN V own_[4], z_weight_[4], one_[4];
 };
 
-// Divides a clip-space position by its w, in place: (x, y, z, 1) / w. Whether w was finite and positive, and x,
-// y, z are finite.
+// Divides a clip-space position by its w, in place: (x, y, z, 1) / w. Whether w was finite and
+// positive, and x, y, z are finite.
 template <class V>
 HWY_INLINE bool divide_in_place(V* v) {
   const hn::CappedTag<V, 4> d;
@@ -154,7 +154,8 @@ class FullClipper {
     access.commit(writer);
   }
 
-  // Vertices of the space of the cut to NDC, rounded to float; how many, or kGiveUp where something is not finite.
+  // Vertices of the space of the cut to NDC, rounded to float; how many, or kGiveUp where something is
+  // not finite.
   HWY_INLINE int finish(const V* v, int count, float* out) const {
     const std::size_t stride = cutter_.shape.floats();
     for (int i = 0; i < count; ++i, v += stride, out += stride) {

@@ -60,6 +60,7 @@ struct Timed {
 
 // Runs those of one n in turn; the first is the baseline if it is textbook.
 void time_points(std::vector<Timed> timed, int rounds, std::vector<GrowthPoint>& points) {
+  if (timed.empty()) return;
   std::vector<std::function<double()>> tasks;
   for (const Timed& t : timed) tasks.push_back(t.task);
   for (const auto& task : tasks) task();
@@ -93,7 +94,7 @@ void time_stream(GrowthPoint at, const StageInput& input, std::size_t size, std:
     std::size_t taken = total;
     if (point.clipper == "textbook") {
       if (at.growing != Growing::triangles) taken = std::min(total, share_of_textbook(options));
-      if (total > std::max(size, options.soup)) continue;
+      if (at.growing == Growing::triangles && static_cast<std::size_t>(at.n) > size) continue;
     }
     point.timing.refused = first_broken_promise(c, input, options.timing.check);
     if (!point.timing.refused.empty()) {
@@ -104,7 +105,7 @@ void time_stream(GrowthPoint at, const StageInput& input, std::size_t size, std:
     timed.push_back(
         {std::move(point), [&c, &input, size, taken] { return stream(c, input, size, taken); }});
   }
-  if (!timed.empty()) time_points(std::move(timed), rounds, points);
+  time_points(std::move(timed), rounds, points);
 }
 
 std::vector<GrowthPoint> grow_triangles(const GrowthOptions& options) {

@@ -111,6 +111,7 @@ void run_growth(const ExperimentContext& context) {
   Table growth = cost_growth_table();
   GrowthOptions options{.seed = selection.seed, .timing = timing_options(selection)};
   options.timing.rounds = std::min(options.timing.rounds, 15);
+  options.timing.check = {.triangles = 8192, .exact = selection.quick ? 8u : 64u};
   if (selection.quick) {
     options.soup = kQuickTriangles;
     options.most = 100'000;

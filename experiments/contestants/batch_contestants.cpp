@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/contestants/batch_contestants.hpp"
 
+#include "spaces/barycentric/correctly_rounded.hpp"
 #include "spaces/barycentric/distance_matrix.hpp"
 #include "spaces/homogeneous/sutherland_hodgman.hpp"
 #include "spaces/view/sutherland_hodgman.hpp"
@@ -93,7 +94,6 @@ std::string_view batch_clipper_name(batch::Method method) {
 constexpr Promise kRoundedOnce{.ulps = kProjectUlps};
 constexpr Promise kFromOriginals{
     .ulps = kProjectUlps, .watertight = true, .rotation_invariant = false};
-constexpr Promise kCorrectlyRounded{.ulps = kProjectUlps, .watertight = true};
 
 std::vector<Contestant<float>> batch_contestants() {
   using batch::Method;
@@ -112,7 +112,7 @@ std::vector<Contestant<float>> batch_contestants() {
           kFromOriginals),
       contestant<Method::correctly_rounded>(
           "many triangles at once: decisions exact, every float the nearest to the exact value",
-          matrix, kCorrectlyRounded),
+          CorrectlyRounded::source, CorrectlyRounded::promise),
   };
 }
 

@@ -67,7 +67,7 @@ std::optional<RowView> fastest_row(const Table& table, const std::string& mix,
 // "copy 12.3 x (homogeneous/batch, 10 ns; correctly rounded 1.05 times its time)"
 std::string contract_text(const Table& stage, const std::string& mix, std::string_view contract) {
   const auto fastest = fastest_row(stage, mix, contract);
-  if (!fastest) return "";
+  if (!fastest || fastest->text("clipper") == "textbook") return "";
   std::string text = fmt::format(
       "{} {} x ({}, {} ns", contract, format_number(fastest->number("speedup_to_textbook")),
       fastest->text("clipper"), format_number(fastest->number("ns_per_triangle")));

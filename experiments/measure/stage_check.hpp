@@ -8,7 +8,8 @@
 //
 //   bits_of_scalar     the polygon is that of homogeneous/sutherland_hodgman before its divide, bit for bit, up
 //                      to the vertex that it begins with
-//   correctly_rounded  the exact polygon, each coordinate x_ndc / (1/w) and attribute rounded once
+//   correctly_rounded  the exact polygon, each coordinate x_ndc / (1/w) and attribute rounded once; vertices
+//                      that round to the same floats as the one before count once
 //   float_chain, rounded_once
 //                      the backward error in clip space (experiments/measure/promise.hpp) is within the bound
 #pragma once

@@ -110,7 +110,7 @@ void time_stream(GrowthPoint at, const StageInput& input, std::size_t size, std:
 
 std::vector<GrowthPoint> grow_triangles(const GrowthOptions& options) {
   constexpr std::size_t kLeast = 1000, kLeastTotal = 100'000;
-  constexpr int kFewer = 7, kFewest = 5;  // rounds, where one takes long
+  constexpr int kFewer = 7, kFewest = 3;  // rounds, where one takes long
   std::vector<GrowthPoint> points;
   const StageInput input =
       random_input("game_like", kGameLike, options.soup, kSceneAttributes, options.seed);

@@ -9,11 +9,13 @@
 using namespace clipscope;
 using namespace clipscope::experiments;
 
-TEST_CASE("stage input: a soup has the shares that were asked for") {
+// A soup's classes are those of view space: the float transform brings some vertices across the far plane, where
+// clip coordinates tell depths apart no more.
+TEST_CASE("stage input: a soup has about the shares that were asked for") {
   const StageShares shares = shares_of(small_soup(1000), StageContract::copy);
-  CHECK(shares.inside == Approx(40));
-  CHECK(shares.outside == Approx(30));
-  CHECK(shares.straddling == Approx(30));
+  CHECK(shares.inside == Approx(40).margin(0.5));
+  CHECK(shares.outside == Approx(30).margin(0.5));
+  CHECK(shares.straddling == Approx(30).margin(0.5));
 }
 
 TEST_CASE("stage input: streams and array hold the same floats, whatever the block") {

@@ -11,7 +11,8 @@
 //                      far that reaches on screen. Infinite for a coordinate that is not a number.
 //   correctly rounded  coordinates (x, y, z, 1/w) that are, kept as floats, the floats nearest to the
 //                      exact ones: what is left of an answer in a vertex buffer, whatever scalar it was
-//                      computed in. A triangle with the wrong vertices has none. In the stage it is x, y, z, w.
+//                      computed in. A triangle with the wrong vertices has none; but an answer that as
+//                      floats is the exact polygon rounded once is right, though vertices fall together. In the stage it is x, y, z, w.
 //
 // Triangles are judged in parallel and tallied in order: the result does not depend on the threads.
 #pragma once
@@ -46,7 +47,8 @@ std::vector<BatchAccuracy> judge_batches(std::span<const TimedBatch> batches,
                                          std::span<const AnyContestant> contestants,
                                          Progress& progress);
 
-// The same for the stage, on every triangle of a soup with four attributes. Triangles that come out by number
+// The same for the stage, on every triangle of a soup with four attributes; those without area in NDC count as
+// not visible. Triangles that come out by number
 // are drawn as they went in. Pre-condition: finite.
 std::vector<BatchAccuracy> judge_stage(const StageInput& input, const StageContestants& contestants,
                                        Progress& progress);

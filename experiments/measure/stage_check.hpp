@@ -9,7 +9,8 @@
 //   bits_of_scalar     the polygon is that of homogeneous/sutherland_hodgman before its divide, bit for bit, up
 //                      to the vertex that it begins with
 //   correctly_rounded  the exact polygon, each coordinate x_ndc / (1/w) and attribute rounded once; vertices
-//                      that round to the same floats as the one before count once
+//                      that round to the same floats as the one before count once, and triangles without
+//                      area in NDC are not compared
 //   float_chain, rounded_once
 //                      the backward error in clip space (experiments/measure/promise.hpp) is within the bound
 #pragma once
@@ -40,6 +41,10 @@ std::array<float, 4> nearest_in_clip(const reference::ExactVertex& vertex);
 // has fewer than three vertices. Pre-condition: finite.
 std::vector<float> rounded_clip_polygon(const reference::Truth& truth,
                                         const reference::InputTriangle& triangle);
+
+// Whether a clip-space triangle is seen as a line or a point from everywhere: its vertices lie in a plane through
+// (0, 0, 0, 0). Its exact polygon has no area in NDC, and how many vertices stand for it is no matter.
+bool has_no_area(const reference::InputTriangle& triangle);
 
 // A triangle of the input in that layout, as the reference takes it.
 reference::InputTriangle input_triangle(const StageInput& input, StageContract contract,

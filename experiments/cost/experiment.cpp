@@ -63,7 +63,7 @@ void run_cost(const ExperimentContext& context) {
       const std::vector<Split> splits =
           measure_split(batches, contestants, timings, options.rounds);
       add_cost_rows(scene.name, contestants, timings, times);
-      add_operation_rows(scene.name, batches, selection.clipper, operations);
+      add_operation_rows(scene.name, batches, contestants, operations);
       add_split_rows(scene.name, splits, split);
       record_samples(scene.name, contestants, timings, splits, record);
     });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cost/tables.hpp"
 
+#include <algorithm>
+
 #include "experiments/measure/batches.hpp"
 
 namespace clipscope::experiments {
@@ -93,11 +95,14 @@ void add_cost_rows(const std::string& mix, std::span<const AnyContestant> contes
 }
 
 void add_operation_rows(const std::string& mix, std::span<const TimedBatch> batches,
-                        const std::string& clipper_pattern, Table& table) {
+                        std::span<const AnyContestant> selected, Table& table) {
   double triangles = 0;
   for (const TimedBatch& batch : batches) triangles += static_cast<double>(batch.triangles.size());
-  for (const AnyContestant& any : select_contestants(clipper_pattern, {"counting"})) {
-    const Contestant<Counted>& contestant = *std::get<const Contestant<Counted>*>(any);
+  for (const Contestant<Counted>& contestant : contestants<Counted>()) {
+    const bool is_selected =
+        std::any_of(selected.begin(), selected.end(),
+                    [&](const AnyContestant& any) { return clipper_name(any) == contestant.name; });
+    if (!is_selected) continue;
     const OperationCounts sum = counted_operations(contestant, batches);
     const auto per_triangle = [&](std::uint64_t n) { return static_cast<double>(n) / triangles; };
     table.add_row({mix, std::string(contestant.name), per_triangle(sum.additions),

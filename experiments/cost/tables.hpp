@@ -19,9 +19,9 @@ Table cost_split_table();       // mix, clipper, scalar, part: time, and share o
 
 void add_cost_rows(const std::string& mix, std::span<const AnyContestant> contestants,
                    std::span<const Timing> timings, Table& table);
-// Runs the clippers that match the pattern in the counting scalar.
+// Runs the selected clippers in the counting scalar; those that there are in it.
 void add_operation_rows(const std::string& mix, std::span<const TimedBatch> batches,
-                        const std::string& clipper_pattern, Table& table);
+                        std::span<const AnyContestant> selected, Table& table);
 void add_split_rows(const std::string& mix, std::span<const Split> splits, Table& table);
 
 // Time by mix for one clipper of each space, in float if that is there.

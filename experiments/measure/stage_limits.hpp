@@ -6,8 +6,8 @@
 //   read everything  all vertices; of a mesh its vertices and indices
 //   copy everything  the same, written block by block to a buffer that stays in cache, as answers do
 //
-// Own loops and memcpy, nothing computed but a sum that keeps the reads; twelve streams side by side, since one
-// alone leaves memory idle.
+// Own loops and memcpy, nothing computed but a sum that keeps the reads. Streams are read side by side, which
+// keeps more of memory busy than one after the other.
 #pragma once
 
 #include <array>

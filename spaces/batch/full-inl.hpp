@@ -31,15 +31,15 @@ class ProjectionLanes {
         z_weight_{p.x.z, p.y.z, 0, 0},
         one_{p.x.one, p.y.one, p.z.one, p.w.one} {}
 
-  // Of four readable floats; in place is allowed.
-  template <class From>
-  HWY_INLINE void project(const From* v, V* out) const {
+  // Four floats have to be readable.
+  HWY_INLINE void project(const float* v, V* out) const {
+    const auto p = hn::LoadU(kD4, v), z = hn::Broadcast<2>(p);
+    HWY_ALIGN float point[4];
+    hn::Store(hn::IfThenElse(hn::FirstN(kD4, 3), p, z), kD4, point);
     const D d;
-    const V x = v[0], y = v[1], z = v[2];
-    HWY_ALIGN const V point[4] = {x, y, z, z};
-    const auto vz = hn::Set(d, z);
+    const auto vz = hn::Set(d, static_cast<V>(hn::GetLane(z)));
     for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
-      const auto sum = hn::Add(hn::Mul(hn::Load(d, own_ + i), hn::Load(d, point + i)),
+      const auto sum = hn::Add(hn::Mul(hn::Load(d, own_ + i), load(d, point + i)),
                                hn::Mul(hn::Load(d, z_weight_ + i), vz));
       hn::StoreU(hn::Add(sum, hn::Load(d, one_ + i)), d, out + i);
     }
@@ -49,18 +49,21 @@ class ProjectionLanes {
   HWY_ALIGN V own_[4], z_weight_[4], one_[4];
 };
 
-// Divides a clip-space position by its w, in place: (x, y, z, 1) / w. Whether w was finite and
+// A clip-space position divided by its w, rounded to float: (x, y, z, 1) / w. Whether w was finite and
 // positive, and x, y, z are finite.
 template <class V>
-HWY_INLINE bool divide_in_place(V* v) {
+HWY_INLINE bool divide_to(const V* v, float* out) {
   const hn::CappedTag<V, 4> d;
   const V w = v[3];
-  v[3] = 1;
   bool finite = w > 0 && w <= std::numeric_limits<V>::max();
   for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
-    hn::StoreU(hn::Div(hn::LoadU(d, v + i), hn::Set(d, w)), d, v + i);
+    const auto is_coordinate = hn::FirstN(d, 3 - i);
+    const auto numerator = hn::IfThenElse(is_coordinate, hn::LoadU(d, v + i), hn::Set(d, V(1)));
+    const auto q = hn::Div(numerator, hn::Set(d, w));
+    const auto is_finite = hn::Le(hn::Abs(q), hn::Set(d, std::numeric_limits<V>::max()));
+    finite = finite && hn::AllTrue(d, hn::Or(is_finite, hn::Not(is_coordinate)));
+    store(d, q, out + i);
   }
-  for (int c = 0; c < 3; ++c) finite = finite && std::abs(v[c]) <= std::numeric_limits<V>::max();
   return finite;
 }
 
@@ -82,17 +85,17 @@ class FullClipper {
   void operator()(const ViewVertexArray& in, Output& out) const {
     const OutputAccess access{out};
     access.begin(in.attributes);
-    const auto memory = std::make_unique_for_overwrite<Block>();
+    Block memory;
     const S& shape = cutter_.shape;
     const std::size_t stride = shape.floats(), from = stride - 1, triangles = in.count / 3;
     for (std::size_t first = 0; first < triangles; first += kBlock) {
       const std::size_t count = std::min(kBlock, triangles - first);
       const float* block = in.data + first * 3 * from;
       for (std::size_t v = 0; v < 3 * count; ++v) {
-        bring(block + v * from, memory->vertices + v * stride);
+        bring(block + v * from, memory.vertices + v * stride);
       }
-      classify_block(cutter_.limits, memory->vertices, stride, count, memory->survivors);
-      clip_survivors(block, first, count, *memory, access);
+      classify_block(cutter_.limits, memory.vertices, stride, count, memory.survivors);
+      clip_survivors(block, first, count, memory, access);
     }
   }
 
@@ -113,16 +116,29 @@ class FullClipper {
     }
   }
 
-  // A view-space vertex into the space where it is cut: (x, y, z, 1) or clip space.
+  // A view-space vertex into the space where it is cut: (x, y, z, 1) or clip space. Without attributes
+  // there is no fourth float behind the last vertex.
   HWY_INLINE void bring(const float* v, V* out) const {
+    const std::size_t attributes = cutter_.shape.floats() - 4;
+    HWY_ALIGN float position[4];
+    if (attributes == 0) {
+      std::memcpy(position, v, 3 * sizeof(float));
+      v = position;
+    }
     if constexpr (kMethod == Method::view) {
-      for (int c = 0; c < 3; ++c) out[c] = v[c];
-      out[3] = 1;
+      const auto p = hn::IfThenElse(hn::FirstN(kD4, 3), hn::LoadU(kD4, v), hn::Set(kD4, 1.0f));
+      hn::StoreU(p, kD4, out);
     } else {
       lanes_.project(v, out);
     }
-    const std::size_t attributes = cutter_.shape.floats() - 4;
-    for (std::size_t k = 0; k < attributes; ++k) out[4 + k] = v[3 + k];
+    if constexpr (S::kFixed && S::kMostFloats == 8) {
+      const hn::CappedTag<V, 4> d;
+      for (std::size_t k = 0; k < 4; k += hn::Lanes(d)) {
+        hn::StoreU(load(d, v + 3 + k), d, out + 4 + k);
+      }
+    } else {
+      for (std::size_t k = 0; k < attributes; ++k) out[4 + k] = v[3 + k];
+    }
   }
 
   HWY_INLINE void clip_survivors(const float* block, std::size_t first, std::size_t count,
@@ -158,19 +174,18 @@ class FullClipper {
   // not finite.
   HWY_INLINE int finish(const V* v, int count, float* out) const {
     const std::size_t stride = cutter_.shape.floats();
+    bool finite = true;
     for (int i = 0; i < count; ++i, v += stride, out += stride) {
-      HWY_ALIGN V position[4];
-      if constexpr (kMethod == Method::view) {
-        lanes_.project(v, position);
-      } else {
-        std::copy(v, v + 4, position);
-      }
-      const bool finite = divide_in_place(position);
       copy_vertex(cutter_.shape, v, out);
-      for (int c = 0; c < 4; ++c) out[c] = static_cast<float>(position[c]);
-      if (!finite) return kGiveUp;
+      if constexpr (kMethod == Method::view) {
+        HWY_ALIGN float position[4];
+        lanes_.project(v, position);
+        finite = divide_to(position, out) && finite;
+      } else {
+        finite = divide_to(v, out) && finite;
+      }
     }
-    return count;
+    return finite ? count : kGiveUp;
   }
 
   const Projection<float>& projection_;

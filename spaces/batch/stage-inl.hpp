@@ -9,6 +9,8 @@
 #define CLIPSCOPE_BATCH_STAGE_INL
 #endif
 
+#include <hwy/cache_control.h>
+
 #include "spaces/batch/barycentric-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -89,6 +91,17 @@ class Cutter {
   std::array<CutPlane, 8> by_bit_{};
 };
 
+// Eight floats in one register, where there is one.
+template <class D>
+HWY_INLINE void store_eight(D d, hn::Vec<D4> low, hn::Vec<D4> high, float* out) {
+  if constexpr (hn::MaxLanes(D()) == 8) {
+    hn::StoreU(hn::Combine(d, high, low), d, out);
+  } else {
+    hn::StoreU(low, kD4, out);
+    hn::StoreU(high, kD4, out + 4);
+  }
+}
+
 // A triangle's vertices as whole vectors: those of the input, or copies with zeros behind.
 template <class S, class V = float>
 class Padded {
@@ -109,13 +122,21 @@ class Padded {
     }
   }
 
-  // Triangle t of streams.
+  // Triangle t of streams. A vertex of four attributes is stored as one register, since it is loaded as one.
   HWY_INLINE void set(const S& shape, const TriangleStreams& in, std::size_t t) {
     const std::size_t attributes = shape.floats() - 4;
     for (int i = 0; i < 3; ++i) {
-      for (int c = 0; c < 4; ++c) memory_[i][c] = in.positions[i][c][t];
-      std::memcpy(memory_[i] + 4, in.attributes + (3 * t + i) * attributes,
-                  attributes * sizeof(float));
+      const auto& p = in.positions[i];
+      const auto xy = hn::InterleaveLower(kD4, hn::Set(kD4, p[0][t]), hn::Set(kD4, p[1][t]));
+      const auto zw = hn::InterleaveLower(kD4, hn::Set(kD4, p[2][t]), hn::Set(kD4, p[3][t]));
+      const auto position = hn::ConcatLowerLower(kD4, zw, xy);
+      const float* const from = in.attributes + (3 * t + i) * attributes;
+      if constexpr (S::kFixed && S::kMostFloats == 8) {
+        store_eight(kD8, position, hn::LoadU(kD4, from), memory_[i]);
+      } else {
+        hn::Store(position, kD4, memory_[i]);
+        std::memcpy(memory_[i] + 4, from, attributes * sizeof(float));
+      }
       vertex[i] = memory_[i];
     }
   }
@@ -145,6 +166,14 @@ class StageCutter : public Cutter<kMethod, K, float> {
  private:
   const ClipVolume volume_;
 };
+
+// Few triangles are cut, so what only they need is asked for before its turn: by so many triangles.
+inline constexpr std::size_t kAhead = 8;
+
+HWY_INLINE void prefetch_floats(const float* p, std::size_t count) {
+  for (std::size_t i = 0; i < count; i += 16) hwy::Prefetch(p + i);
+  if (count != 0) hwy::Prefetch(p + count - 1);
+}
 
 template <Method kMethod, int K>
 void clip_copy(const ClipVolume& volume, const VertexArray& in, Output& out) {
@@ -252,7 +281,13 @@ void clip_reference(const ClipVolume& volume, const TriangleStreams& in, Output&
     const auto inside_count = static_cast<std::size_t>(writer.inside - inside);
     tally.inside += inside_count;
     tally.rejected += count - inside_count - survivors.count;
+    const std::size_t floats = 3 * (cutter.shape.floats() - 4);  // attributes of a triangle
+    const auto prefetch = [&](std::size_t i) {
+      prefetch_floats(in.attributes + (first + survivors.triangle[i]) * floats, floats);
+    };
+    for (std::size_t i = 0; i < std::min<std::size_t>(kAhead, survivors.count); ++i) prefetch(i);
     for (std::size_t i = 0; i < survivors.count; ++i) {
+      if (i + kAhead < survivors.count) prefetch(i + kAhead);
       padded.set(cutter.shape, in, first + survivors.triangle[i]);
       const unsigned any = codes_of(cutter.limits, padded.vertex).any;
       cutter.cut_into(padded.vertex, any, first + survivors.triangle[i], writer, tally);
@@ -301,7 +336,15 @@ void clip_indexed(const ClipVolume& volume, const IndexedMesh& mesh, Output& out
     writer.inside = inside;
     tally.inside += inside_count;
     tally.rejected += count - inside_count - survivors.count;
+    const auto prefetch = [&](std::size_t i) {
+      for (int v = 0; v < 3; ++v) {
+        const std::uint32_t index = indices[3 * survivors.triangle[i] + v];
+        prefetch_floats(mesh.vertices.data + index * stride, stride);
+      }
+    };
+    for (std::size_t i = 0; i < std::min<std::size_t>(kAhead, survivors.count); ++i) prefetch(i);
     for (std::size_t i = 0; i < survivors.count; ++i) {
+      if (i + kAhead < survivors.count) prefetch(i + kAhead);
       const std::size_t t = survivors.triangle[i];
       const auto at = [&](int v) { return mesh.vertices.data + indices[3 * t + v] * stride; };
       padded.set(cutter.shape, at(0), at(1), at(2));

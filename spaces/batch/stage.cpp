@@ -33,58 +33,43 @@ using plain::reference;
 
 #else
 
-template <int K>
-void copy_with(Method method, const ClipVolume& volume, const VertexArray& in, Output& out) {
+// A method and a number of attributes as types.
+template <Method kMethod, int K>
+struct Kind {
+  static constexpr Method method = kMethod;
+  static constexpr int attributes = K;
+};
+
+template <int K, class F>
+void with_method(Method method, F&& f) {
   switch (method) {
-    case Method::homogeneous_double:
-      return clip_copy<Method::homogeneous_double, K>(volume, in, out);
-    case Method::barycentric: return clip_copy<Method::barycentric, K>(volume, in, out);
-    case Method::correctly_rounded: return clip_copy<Method::correctly_rounded, K>(volume, in, out);
-    default: return clip_copy<Method::homogeneous, K>(volume, in, out);
+    case Method::homogeneous_double: return f(Kind<Method::homogeneous_double, K>());
+    case Method::barycentric: return f(Kind<Method::barycentric, K>());
+    case Method::correctly_rounded: return f(Kind<Method::correctly_rounded, K>());
+    default: return f(Kind<Method::homogeneous, K>());
   }
 }
 
-template <int K>
-void reference_with(Method method, const ClipVolume& volume, const TriangleStreams& in,
-                    Output& out) {
-  switch (method) {
-    case Method::homogeneous_double:
-      return clip_reference<Method::homogeneous_double, K>(volume, in, out);
-    case Method::barycentric: return clip_reference<Method::barycentric, K>(volume, in, out);
-    case Method::correctly_rounded:
-      return clip_reference<Method::correctly_rounded, K>(volume, in, out);
-    default: return clip_reference<Method::homogeneous, K>(volume, in, out);
-  }
-}
-
-template <int K>
-void indexed_with(Method method, const ClipVolume& volume, const IndexedMesh& in, Output& out) {
-  switch (method) {
-    case Method::homogeneous_double:
-      return clip_indexed<Method::homogeneous_double, K>(volume, in, out);
-    case Method::barycentric: return clip_indexed<Method::barycentric, K>(volume, in, out);
-    case Method::correctly_rounded:
-      return clip_indexed<Method::correctly_rounded, K>(volume, in, out);
-    default: return clip_indexed<Method::homogeneous, K>(volume, in, out);
-  }
+template <class F>
+void with_kind(Method method, int attributes, F&& f) {
+  if (attributes == 4) return with_method<4>(method, f);
+  if (attributes == 0) return with_method<0>(method, f);
+  with_method<kRunTime>(method, f);
 }
 
 void copy(Method method, const ClipVolume& volume, const VertexArray& in, Output& out) {
-  if (in.attributes == 4) return copy_with<4>(method, volume, in, out);
-  if (in.attributes == 0) return copy_with<0>(method, volume, in, out);
-  copy_with<kRunTime>(method, volume, in, out);
+  with_kind(method, in.attributes,
+            [&]<class K>(K) { clip_copy<K::method, K::attributes>(volume, in, out); });
 }
 
 void reference(Method method, const ClipVolume& volume, const TriangleStreams& in, Output& out) {
-  if (in.attribute_count == 4) return reference_with<4>(method, volume, in, out);
-  if (in.attribute_count == 0) return reference_with<0>(method, volume, in, out);
-  reference_with<kRunTime>(method, volume, in, out);
+  with_kind(method, in.attribute_count,
+            [&]<class K>(K) { clip_reference<K::method, K::attributes>(volume, in, out); });
 }
 
 void indexed(Method method, const ClipVolume& volume, const IndexedMesh& in, Output& out) {
-  if (in.vertices.attributes == 4) return indexed_with<4>(method, volume, in, out);
-  if (in.vertices.attributes == 0) return indexed_with<0>(method, volume, in, out);
-  indexed_with<kRunTime>(method, volume, in, out);
+  with_kind(method, in.vertices.attributes,
+            [&]<class K>(K) { clip_indexed<K::method, K::attributes>(volume, in, out); });
 }
 
 #endif

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "reference/exact_clip.hpp"
+#include "spaces/barycentric/exact_lines.hpp"
 #include "spaces/polygon.hpp"
+#include "tests/catch.hpp"
 #include "tests/reference/clip_cases.hpp"
 
 namespace clipscope::reference {
@@ -104,6 +106,33 @@ inline bool same_cycle(const Rows& a, Rows b) {
     std::rotate(b.begin(), b.begin() + 1, b.end());
   }
   return false;
+}
+
+struct Compared {
+  std::int64_t triangles = 0, coordinates = 0;
+  barycentric::CountStages stages;
+};
+
+// Cases from `make`, what a clipper makes of them and what it has to. Fails at the first that differs.
+template <class AnyCase>
+Compared compare_with_reference(AnyCase (*make)(Random&),
+                                Rows (*clipped)(const AnyCase&, barycentric::CountStages&),
+                                ExactPolygon (*exact_polygon)(const AnyCase&), int triangles,
+                                std::uint64_t seed) {
+  Random random(seed);
+  Compared r;
+  for (; r.triangles < triangles; ++r.triangles) {
+    AnyCase c = make(random);
+    add_zero(c);
+    const Rows computed = clipped(c, r.stages);
+    const ExactPolygon exact = exact_polygon(c);
+    r.coordinates += static_cast<std::int64_t>(computed.size() * Row{}.size());
+    if (!agrees(computed, exact)) {
+      FAIL(describe(c) << "has " << computed.size() << " vertices, exactly "
+                       << exact.vertices.size());
+    }
+  }
+  return r;
 }
 
 }  // namespace clipscope::reference

@@ -42,33 +42,10 @@ ExactPolygon exact_polygon(const Case& c) {
 
 Rows expected(const Case& c) { return rounded(exact_polygon(c)); }
 
-struct Compared {
-  std::int64_t triangles = 0, coordinates = 0;
-  CountStages stages;
-};
-
-// Fails at the first triangle that differs.
-Compared compare_with_reference(Case (*make)(Random&), int triangles, std::uint64_t seed) {
-  Random random(seed);
-  Compared r;
-  for (; r.triangles < triangles; ++r.triangles) {
-    Case c = make(random);
-    add_zero(c);
-    const Rows computed = clipped(c, r.stages);
-    const ExactPolygon exact = exact_polygon(c);
-    r.coordinates += static_cast<std::int64_t>(computed.size() * Row{}.size());
-    if (!agrees(computed, exact)) {
-      FAIL(describe(c) << "has " << computed.size() << " vertices, exactly "
-                       << exact.vertices.size());
-    }
-  }
-  return r;
-}
-
 TEST_CASE("correctly rounded: every bit is that of the exact polygon rounded once") {
   for (const CaseSet& set : kCaseSets) {
     INFO(set.name);
-    const Compared r = compare_with_reference(set.make, 15000, 1);
+    const Compared r = compare_with_reference(set.make, clipped, exact_polygon, 15000, 1);
     CHECK(r.coordinates > 1000);  // the set is not empty talk
     CHECK(r.stages[Stage::sign_filtered] > 0);
   }
@@ -102,7 +79,7 @@ TEST_CASE("correctly rounded: a long comparison", "[.long]") {
   INFO("seed " << seed);
   std::int64_t total = 0;
   for (const CaseSet& set : kCaseSets) {
-    const Compared r = compare_with_reference(set.make, 600000, seed);
+    const Compared r = compare_with_reference(set.make, clipped, exact_polygon, 600000, seed);
     total += r.coordinates;
     std::ostringstream s;
     s << set.name << ": " << r.coordinates << " coordinates; stages";

@@ -135,7 +135,7 @@ class Padded {
         store_eight(kD8, position, hn::LoadU(kD4, from), memory_[i]);
       } else {
         hn::Store(position, kD4, memory_[i]);
-        std::memcpy(memory_[i] + 4, from, attributes * sizeof(float));
+        std::copy_n(from, attributes, memory_[i] + 4);
       }
       vertex[i] = memory_[i];
     }

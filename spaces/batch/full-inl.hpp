@@ -50,7 +50,7 @@ class ProjectionLanes {
 };
 
 // A clip-space position divided by its w, rounded to float: (x, y, z, 1) / w. Whether w was finite and
-// positive, and x, y, z are finite.
+// positive, and x, y, z are finite in float.
 template <class V>
 HWY_INLINE bool divide_to(const V* v, float* out) {
   const hn::CappedTag<V, 4> d;
@@ -60,7 +60,7 @@ HWY_INLINE bool divide_to(const V* v, float* out) {
     const auto is_coordinate = hn::FirstN(d, 3 - i);
     const auto numerator = hn::IfThenElse(is_coordinate, hn::LoadU(d, v + i), hn::Set(d, V(1)));
     const auto q = hn::Div(numerator, hn::Set(d, w));
-    const auto is_finite = hn::Le(hn::Abs(q), hn::Set(d, std::numeric_limits<V>::max()));
+    const auto is_finite = hn::Le(hn::Abs(q), hn::Set(d, V(kLargest)));
     finite = finite && hn::AllTrue(d, hn::Or(is_finite, hn::Not(is_coordinate)));
     store(d, q, out + i);
   }

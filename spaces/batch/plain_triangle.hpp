@@ -193,6 +193,7 @@ void clip_in_double(Method method, const Projection<float>& projection,
     copy_attributes(v.attributes, r.attributes);
     out.push_back(r);
   }
+  clear_if_overflowed(out);  // finite in double, maybe not in float
 }
 
 // The full contract.

@@ -5,22 +5,16 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "experiments/contestants/contestant.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/program.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
+using clipscope::experiments::contestants;
 
 constexpr const char* kHalfOutside = "0 0 -2  3 0 -2  0 1 -2\n";
-
-std::size_t triangle_clippers(const Folder& folder) {
-  std::size_t count = 0;
-  for (const auto& clipper : nlohmann::json::parse(folder.run("list clippers --json").out)) {
-    if (clipper["primitive"] == "triangle") ++count;
-  }
-  return count;
-}
 
 }  // namespace
 
@@ -71,7 +65,8 @@ TEST_CASE("cli: compare tabulates every clipper on a mesh of the user's") {
   INFO(r.err);
   REQUIRE(r.code == 0);
   const auto rows = nlohmann::json::parse(r.out)["rows"];
-  CHECK(rows.size() == 2 * triangle_clippers(folder));  // float and double
+  CHECK(rows.size() == clipscope::experiments::contestants<float>().size() +
+                           clipscope::experiments::contestants<double>().size());
   for (const auto& row : rows) {
     CHECK(row.contains("max_px"));
     CHECK(row["ns_per_triangle"].get<double>() > 0);
@@ -132,7 +127,7 @@ TEST_CASE("cli: run writes tables in three formats and pictures, and can be told
     INFO(name);
     CHECK(fs::exists(out / name));
   }
-  CHECK(lines(read(out / "accuracy.csv")).size() == triangle_clippers(folder) + 1);
+  CHECK(lines(read(out / "accuracy.csv")).size() == contestants<float>().size() + 1);
   CHECK(folder.run("run cost --quick --out /proc/no").code == 4);
 }
 

@@ -30,16 +30,6 @@ std::string label_of(const RowView& row) {
   return fmt::format("{} {}", row.text("clipper"), row.text("scalar"));
 }
 
-std::vector<std::string> distinct(const Table& table, std::string_view key) {
-  std::vector<std::string> texts;
-  for (const RowView& row : rows_of(table)) {
-    if (std::find(texts.begin(), texts.end(), row.text(key)) == texts.end()) {
-      texts.push_back(row.text(key));
-    }
-  }
-  return texts;
-}
-
 // The row of a clipper in its best build; nothing if it was not timed.
 std::optional<RowView> find_row(const Table& table, const std::string& mix,
                                 std::string_view clipper, std::string_view contract) {
@@ -291,7 +281,7 @@ Plot growth_plot(const Table& growth, Growing growing) {
 
 std::string stage_finding(const Table& stage) {
   std::vector<std::string> sentences;
-  for (const std::string& mix : distinct(stage, "mix")) {
+  for (const std::string& mix : distinct_texts(stage, "mix")) {
     std::vector<std::string> parts;
     for (const StageContract contract : kStageContracts) {
       const std::string text = contract_text(stage, mix, contract_name(contract));

@@ -21,16 +21,6 @@ constexpr std::array<std::string_view, 5> kMainClippers = {
     "barycentric/distance_matrix"};
 constexpr std::string_view kClipSpace = "homogeneous/sutherland_hodgman";
 
-std::vector<std::string> distinct_texts(const Table& table, std::string_view key) {
-  std::vector<std::string> texts;
-  for (const RowView& row : rows_of(table)) {
-    if (std::find(texts.begin(), texts.end(), row.text(key)) == texts.end()) {
-      texts.push_back(row.text(key));
-    }
-  }
-  return texts;
-}
-
 // The scalar that a plot shows.
 std::string plotted_scalar(const Table& table) {
   const std::vector<std::string> scalars = distinct_texts(table, "scalar");

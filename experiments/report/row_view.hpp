@@ -4,6 +4,7 @@
 // are made from.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -58,6 +59,17 @@ inline std::vector<RowView> rows_of(const Table& table) {
   std::vector<RowView> rows;
   for (std::size_t i = 0; i < table.rows().size(); ++i) rows.emplace_back(table, i);
   return rows;
+}
+
+// The texts of a column, each once, in the order of the rows.
+inline std::vector<std::string> distinct_texts(const Table& table, std::string_view key) {
+  std::vector<std::string> texts;
+  for (const RowView& row : rows_of(table)) {
+    if (std::find(texts.begin(), texts.end(), row.text(key)) == texts.end()) {
+      texts.push_back(row.text(key));
+    }
+  }
+  return texts;
 }
 
 }  // namespace clipscope::experiments

@@ -78,7 +78,7 @@ struct OutputAccess {
 
 // Bits of a vertex's code, one per plane by axis: bit c is coordinate c above w, bit 4 + c below its lower
 // bound. Two more say that w is not finite, or not positive. A NaN sets the bits of all its comparisons.
-inline constexpr unsigned kPlaneBits = 0x77, kUnusableW = 0x88;
+inline constexpr unsigned kPlaneBits = 0x77;
 
 // A plane's bit, and its signed distance w_weight w + c_weight c of a vertex. The weights are 0, 1 and -1,
 // so that the distance has the bits of `clip_distance` (spaces/planes.hpp).

@@ -6,12 +6,14 @@
 //   Fraction  numerator / denominator of two dyadics: a value whose last operation is a quotient
 //   Rational  a canonical rational number, for comparing with other exact computations
 //
+// Rational is GMP's mpq_class with CGAL's number traits. CGAL::Exact_rational would be the same type here,
+// but its header reads every other exact number that there is, which every source would pay for.
 // Source of Dyadic: CGAL::Mpzf (M. Glisse). Each value owns its memory, so values may be used by many
 // threads at once, as ints may.
 #pragma once
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Mpzf.h>
+#include <CGAL/gmpxx.h>
 
 #include <concepts>
 
@@ -21,7 +23,7 @@
 
 namespace clipscope::reference {
 
-using Rational = CGAL::Exact_rational;
+using Rational = mpq_class;
 using Dyadic = CGAL::Mpzf;
 
 // numerator / denominator, not reduced. Invariant: denominator > 0.

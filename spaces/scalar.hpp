@@ -4,7 +4,7 @@
 //
 // Every clipper is written once, as a template over its scalar. The concept asks for field
 // arithmetic and an order, and nothing else: no square root, no rounding mode, no literals but small
-// integers and floats. float, double, QD's dd_real, CGAL::Exact_rational and Counting<T> all model it.
+// integers and floats. float, double, QD's dd_real, GMP's mpq_class and Counting<T> all model it.
 //
 // Exact number types are often expression templates: write `const T t = a * b;`, never `auto`, and
 // never `condition ? a * b : c`.

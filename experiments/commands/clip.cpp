@@ -3,6 +3,7 @@
 // clipscope clip: points, segments, triangles or polygons in, what is left of them out.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -4,8 +4,11 @@
 // chose it, `action` is what main then runs, and its result is the exit code (errors.hpp).
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
+
+namespace CLI {
+class App;
+}
 
 namespace clipscope::experiments {
 

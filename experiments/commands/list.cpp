@@ -3,6 +3,7 @@
 // clipscope list: what there is to select from.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <initializer_list>
 #include <memory>
 #include <string>

@@ -3,10 +3,14 @@
 // Options that take a fixed count of numbers separated by commas, such as --eye 0,1,2.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace clipscope::experiments {
 

@@ -3,6 +3,7 @@
 // clipscope paper: the numbers, tables and figures of the paper, from a run.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "experiments/commands/commands.hpp"

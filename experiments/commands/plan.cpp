@@ -3,6 +3,7 @@
 // clipscope plan: which effects a scene calls for, and why.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "experiments/commands/commands.hpp"

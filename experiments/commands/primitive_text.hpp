@@ -9,7 +9,6 @@
 // others.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -18,6 +17,10 @@
 #include "experiments/catalogue/hard_case.hpp"
 #include "experiments/contestants/scalars.hpp"
 #include "spaces/projection.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace clipscope::experiments {
 

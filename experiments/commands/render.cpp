@@ -3,6 +3,7 @@
 // clipscope render: a picture of a scene with a clipper, and its error beside it.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 

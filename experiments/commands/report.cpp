@@ -3,6 +3,7 @@
 // clipscope report: the page of a run's results, written again from its store.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "experiments/commands/commands.hpp"

@@ -3,7 +3,6 @@
 // The options that commands share: which scenes, cameras, clippers and scalars.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,6 +10,10 @@
 #include "experiments/contestants/contestant.hpp"
 #include "experiments/scenes/camera.hpp"
 #include "experiments/scenes/scene.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace clipscope::experiments {
 

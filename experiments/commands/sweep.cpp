@@ -3,6 +3,7 @@
 // clipscope sweep: very many triangles through every clipper, random ones or an exhaustive lattice.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 

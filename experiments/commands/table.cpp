@@ -3,6 +3,7 @@
 // clipscope table: the tables of a run, from its store.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "experiments/commands/commands.hpp"

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <string_view>
 #include <vector>
@@ -18,6 +17,10 @@
 #include "experiments/errors.hpp"
 #include "spaces/clipper.hpp"
 #include "spaces/planes.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace clipscope::experiments {
 

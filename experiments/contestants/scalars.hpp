@@ -56,8 +56,7 @@ struct ScalarTraits<dd_real> {
 template <>
 struct ScalarTraits<Exact> {
   static constexpr std::string_view name = "exact";
-  static constexpr std::string_view summary =
-      "rational numbers (CGAL::Exact_rational), no rounding";
+  static constexpr std::string_view summary = "rational numbers (mpq_class of GMP), no rounding";
   static constexpr int precision = 0;
   static constexpr int min_exponent = 0;
 };

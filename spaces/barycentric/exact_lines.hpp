@@ -41,6 +41,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "spaces/expansion.hpp"
 #include "spaces/planes.hpp"
@@ -164,6 +165,15 @@ int side(const Meeting& m, const Line& line, Count& count) {
   return exact_dot(exact_lambda(m), line).sign();
 }
 
+// Of two neighbouring floats, low < high, the one nearest to a value between them, ties to even.
+// compared: the sign of that value less their midpoint.
+template <class Count>
+float nearer(float low, float high, int compared, Count& count) {
+  count(compared == 0 ? Stage::quotient_tie : Stage::quotient_midpoint);
+  const bool low_is_odd = (std::bit_cast<std::uint32_t>(low) & 1) != 0;
+  return compared > 0 || (compared == 0 && low_is_odd) ? high : low;
+}
+
 // numerator / denominator rounded to the nearest float, ties to even. Pre-condition: denominator > 0.
 //
 // The largest component of each is within 2^-52 of it, relatively, so their rounded quotient is within
@@ -185,10 +195,7 @@ float round_quotient(const ExactDot& numerator, const ExactDot& denominator, Cou
   const double above = std::isinf(high) ? 0x1p128 : static_cast<double>(high);
   const double midpoint = 0.5 * (low + above);
   const ExactDot magnitude = sign < 0 ? -numerator : numerator;
-  const int compared = (magnitude - denominator * midpoint).sign();
-  count(compared == 0 ? Stage::quotient_tie : Stage::quotient_midpoint);
-  const bool low_is_odd = (std::bit_cast<std::uint32_t>(low) & 1) != 0;
-  const float r = compared > 0 || (compared == 0 && low_is_odd) ? high : low;
+  const float r = nearer(low, high, (magnitude - denominator * midpoint).sign(), count);
   return sign < 0 ? -r : r;
 }
 
@@ -209,13 +216,8 @@ inline Divisor divisor(const Meeting& m, const Values& denominator) {
   return {denominator, d, reciprocal, d.error * reciprocal + kQuotientRoundings};
 }
 
-// Numerator and denominator, exactly.
-struct ExactQuotient {
-  ExactDot numerator, denominator;
-};
-
-// numerator / (divisor times scale), rounded; exact() is the ExactQuotient of it. 0 is +0; what rounds to 0
-// from below is -0. inverse_scale is 1 / scale in double, of a scale rounded once, or 1.
+// numerator / (divisor times scale), rounded; where it lies between two floats that doubles can't tell apart,
+// exact(low, high) does. 0 is +0; what rounds to 0 from below is -0. inverse_scale is 1 / scale in double, of a scale rounded once, or 1.
 //
 // With n, d and their bounds En, Ed the quotient is within (En + |n/d| Ed) / (d - Ed) of n/d; it is
 // Ed < 2^-20 d. kQuotientRoundings |q| = 8 u |q| covers the roundings of the scale, the two
@@ -239,16 +241,56 @@ float rounded_quotient(const Bounded& n, const Divisor& by, double inverse_scale
     count(Stage::quotient_filtered);
     return low;
   }
-  const ExactQuotient quotient = exact();
-  return round_quotient(quotient.numerator, quotient.denominator, count);
+  return exact(low, high);
 }
 
-// lambda . numerator / lambda . denominator, rounded.
+// Whether lambda is exact as it is: two of its entries are those of a line without errors.
+inline bool is_exact(const Meeting& m) {
+  const auto is_rounded = [](const Line& line) {
+    for (int i = 0; i < 3; ++i) {
+      if (line.error[i] != 0 || line.rest[i] != 0) return true;
+    }
+    return false;
+  };
+  return (m.a->plane == 0 && !is_rounded(*m.b)) || (m.b->plane == 0 && !is_rounded(*m.a));
+}
+
+inline bool are_neighbours(float low, float high) {
+  const auto a = std::bit_cast<std::uint32_t>(low), b = std::bit_cast<std::uint32_t>(high);
+  return std::isfinite(low) && std::isfinite(high) && (low < 0 ? a - b : b - a) == 1;
+}
+
+// The sign of lambda . numerator / lambda . denominator - midpoint, of floats and a midpoint of floats; nothing
+// where it takes more than doubles. Pre-condition: lambda is exact, and one entry is 0.
+//
+// A midpoint has 25 bits, times a float 49: exact. The terms of lambda . (numerator - midpoint denominator)
+// are exact as head + tail, and heads that don't cancel decide: rounding is monotone.
+inline std::optional<int> compare(const Meeting& m, const Values& numerator,
+                                  const Values& denominator, double midpoint) {
+  double head = 0, tail = 0, lost = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto [difference, error] = bounds::two_sum(numerator[i], -midpoint * denominator[i]);
+    const double term = m.lambda[i] * difference;
+    head += term;
+    tail += std::fma(m.lambda[i], difference, -term);
+    lost += std::abs(m.lambda[i] * error);
+  }
+  if (lost != 0) return {};
+  const double sum = head != 0 ? head : tail;
+  return (sum > 0) - (sum < 0);
+}
+
+// lambda . numerator / lambda . denominator, rounded. Most ties lie on an edge, where doubles will do.
 template <class Count>
 float rounded_quotient(const Meeting& m, const Values& numerator, const Divisor& by, Count& count) {
-  const auto exact = [&] {
+  const auto exact = [&](float low, float high) {
+    if (is_exact(m) && are_neighbours(low, high)) {
+      const double midpoint = 0.5 * (double{low} + high);
+      const auto compared = compare(m, numerator, by.values, midpoint);
+      if (compared) return nearer(low, high, *compared, count);
+    }
     const ExactLambda lambda = exact_lambda(m);
-    return ExactQuotient{exact_dot(lambda, numerator), exact_dot(lambda, by.values)};
+    return round_quotient(exact_dot(lambda, numerator), exact_dot(lambda, by.values), count);
   };
   return rounded_quotient(dot(m, numerator), by, 1, exact, count);
 }

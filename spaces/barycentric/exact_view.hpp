@@ -210,11 +210,11 @@ class ViewPoints {
   float coordinate(int c, const Meeting& m, const Divisor& w, Count& count) const {
     const RowCombination& numerator = numerators_[c];
     const Scale& scale = scales_[c];
-    const auto exact = [&] {
+    const auto exact = [&](float, float) {
       const ExactLambda lambda = exact_lambda(m);
-      return ExactQuotient{
-          numerator.exact(lambda),
-          compressed<34>(exact_dot(lambda, w_.rounded) * Expansion<2>(scale.rounded, scale.error))};
+      const Expansion<2> exact_scale(scale.rounded, scale.error);
+      return round_quotient(numerator.exact(lambda),
+                            compressed<34>(exact_dot(lambda, w_.rounded) * exact_scale), count);
     };
     return rounded_quotient(dot(m, numerator.value, numerator.magnitude), w, scale.inverse, exact,
                             count);

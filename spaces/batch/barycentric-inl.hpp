@@ -4,8 +4,8 @@
 // sum lambda_i v_i / sum lambda_i, in SIMD over the coordinates and attributes of a vertex.
 //
 // kCertain, of floats only: the value of each float is known to within a proved bound, and the floats
-// nearest to both ends of that interval are the same; else the triangle is handed back, to be settled by
-// expansions.
+// nearest to both ends of that interval are the same; else the plain version writes the vertex again,
+// with expansions. If already a decision is in doubt the triangle is handed back.
 //
 // Lemma (one plane). lambda of an edge is (-d_out, d_in), both positive: doubles within u = 2^-53 of the exact
 // distances, relatively. The products of lambda and floats a and b carry one rounding more, their sum
@@ -51,6 +51,9 @@ inline constexpr Apex kApex[7] = {{},
 template <bool kCertain, class S>
 struct FromOriginals {
   const S& shape;
+  const std::array<CodePlane, kPlanes>& planes;  // in the order of `kAllPlanes`
+  DepthRange depth;
+  Tally& tally;
 
   using D = LanesOf<double, S>;
   using DF = hn::Rebind<float, D>;
@@ -61,31 +64,68 @@ struct FromOriginals {
   HWY_INLINE int cut_one_plane(const V* const vertex[3], const CodePlane& plane, V* out) const {
     const double d[3] = {distance<double>(plane, vertex[0]), distance<double>(plane, vertex[1]),
                          distance<double>(plane, vertex[2])};
-    if (d[0] == 0 || d[1] == 0 || d[2] == 0) return kGiveUp;  // a vertex on the plane
+    if (d[0] == 0 || d[1] == 0 || d[2] == 0) return cut_at_vertex(vertex, d, plane, out);
     const Apex& order = kApex[outside_mask(d)];
     const std::size_t stride = shape.floats();
     copy_vertex(shape, vertex[order.first], out);
     copy_vertex(shape, vertex[order.c], out + stride);
-    const bool certain =
-        write_two_means(vertex, order, d, plane, out + order.place_of_b * stride, out + 2 * stride);
-    return certain ? order.size : kGiveUp;
+    write_two_means(vertex, order, d, plane, out + order.place_of_b * stride, out + 2 * stride);
+    return order.size;
   }
 
   template <class V>
-  HWY_INLINE int cut_planes(const Straddler<V>& s, const std::array<CodePlane, kPlanes>& planes,
-                            V* out) const {
+  HWY_INLINE int cut_planes(const Straddler<V>& s, V* out) const {
+    if ((s.any & kPlaneBits) == 0) return kGiveUp;  // vertices (0, 0, 0, 0)
     Pool pool;
-    List list{{0, 1, 2}, 3};
-    for (int p = 0; p < kPlanes; ++p) {
-      const CodePlane& plane = planes[(p + 2) % kPlanes];  // in the order of `kAllPlanes`
-      if ((s.any >> plane.bit & 1) == 0) continue;
-      for (int i = 0; i < 3; ++i) pool.lines[3 + p][i] = distance<double>(plane, s.vertex[i]);
-      if (!cut(3 + p, pool, list)) return kGiveUp;
+    List list = kTriangle;
+    int lines[kPlanes], count = 0;  // of the planes that cut, found without a branch
+    for (int line = 3; line < 3 + kPlanes; ++line) {
+      lines[count] = line;
+      count += s.any >> plane_of(line).bit & 1;
     }
-    return list.size < 3 || write_corners(list, pool, s, planes, out) ? list.size : kGiveUp;
+    for (const int line : std::span(lines, count)) {
+      double* const row = pool.lines[line];
+      for (int i = 0; i < 3; ++i) row[i] = distance<double>(plane_of(line), s.vertex[i]);
+      const Sides sides = line == lines[0] ? vertex_sides(row) : corner_sides(row, pool, list);
+      if (!cut(line, sides, pool, list)) return kGiveUp;
+    }
+    return list.size < 3 || write_corners(list, pool, s, out) ? list.size : kGiveUp;
   }
 
  private:
+  static constexpr double kEdgeError = 16 * 0x1p-53;  // of the lemma
+
+  // Lines 0 to 2 are the triangle's edges, each opposite to its vertex, the others planes, 3 and on in the
+  // order of `kAllPlanes`.
+  const CodePlane& plane_of(int line) const { return planes[line - 3]; }
+  int line_of(const CodePlane& plane) const {
+    int line = 3;
+    while (plane_of(line).bit != plane.bit) ++line;
+    return line;
+  }
+
+  // The same where a vertex lies on the plane: its distance is 0, exactly.
+  template <class V>
+  HWY_NOINLINE int cut_at_vertex(const V* const vertex[3], const double d[3],
+                                 const CodePlane& plane, V* out) const {
+    if constexpr (kCertain) {
+      const std::size_t stride = shape.floats();
+      Doubt all;
+      all.set_all();
+      int size = 0;
+      for (int i = 0; i < 3; ++i) {
+        const int next = (i + 1) % 3, edge = (i + 2) % 3, line = line_of(plane);
+        const bool leaves = d[i] > 0 && d[next] < 0, enters = d[i] < 0 && d[next] > 0;
+        if (d[i] >= 0) copy_vertex(shape, vertex[i], out + size++ * stride);
+        if (leaves) write_again(vertex, edge, line, all, out + size++ * stride);
+        if (enters) write_again(vertex, line, edge, all, out + size++ * stride);
+      }
+      return size < 3 ? 0 : size;
+    } else {
+      return kGiveUp;
+    }
+  }
+
   // Bits in which the floats nearest to two doubles differ; the nearest to `low` goes to out.
   static HWY_INLINE Bits store_between(hn::Vec<D> low, hn::Vec<D> high, float* out) {
     const auto a = hn::DemoteTo(DF(), low), b = hn::DemoteTo(DF(), high);
@@ -101,60 +141,80 @@ struct FromOriginals {
     return hn::Load(DU(), kBits[sets_z]);
   }
 
-  // Stores what is within `error` of q, rounded, and returns the bits that this leaves open.
+  // Stores sum / total, rounded, and returns the bits that this leaves open: it is within `error` times the
+  // largest of the values that it is a mean of. Fused multiplications, where there are some, round less.
   template <class V>
-  static HWY_INLINE Bits store_rounded(hn::Vec<D> q, hn::Vec<D> error, V* out) {
+  static HWY_INLINE Bits store_mean(hn::Vec<D> sum, hn::Vec<D> reciprocal,
+                                    [[maybe_unused]] hn::Vec<D> largest,
+                                    [[maybe_unused]] hn::Vec<D> error, V* out) {
     if constexpr (kCertain) {
-      return store_between(hn::Sub(q, error), hn::Add(q, error), out);
+      const auto off = hn::Mul(largest, error);
+      return store_between(hn::MulSub(sum, reciprocal, off), hn::MulAdd(sum, reciprocal, off), out);
     } else {
-      store(D(), q, out);
+      store(D(), hn::Mul(sum, reciprocal), out);
       return hn::Zero(DU());
     }
   }
 
-  static HWY_INLINE Bits add_doubt(Bits doubt, Bits more, std::size_t lane, Bits first) {
-    return hn::Or(doubt, lane == 0 ? hn::And(more, first) : more);
+  // The floats of a vertex that are left open: where there are ones in some bits.
+  struct Doubt {
+    Bits some;
+    HWY_ALIGN std::uint32_t open[S::kWidth];
+
+    HWY_INLINE Doubt() : some(hn::Zero(DU())) {}
+    HWY_INLINE void add(Bits more, std::size_t lane, Bits first) {
+      if (!kCertain) return;
+      if (lane == 0) more = hn::And(more, first);
+      some = hn::Or(some, more);
+      hn::Store(more, DU(), open + lane);
+    }
+    HWY_INLINE bool is_none() const {
+      return !kCertain || hn::AllTrue(DU(), hn::Eq(some, hn::Zero(DU())));
+    }
+    void set_all() {
+      some = hn::Set(DU(), 1);
+      std::fill(open, open + S::kWidth, 1);
+    }
+  };
+
+  // l_a a + l_b b. A sum that is 0 is +0; where floats have to be certain a -0 is found out as such.
+  static HWY_INLINE hn::Vec<D> sum_of(hn::Vec<D> l_a, hn::Vec<D> a, hn::Vec<D> l_b, hn::Vec<D> b) {
+    if constexpr (kCertain) {
+      return hn::MulAdd(l_a, a, hn::Mul(l_b, b));
+    } else {
+      return hn::Add(hn::Add(hn::Mul(l_a, a), hn::Mul(l_b, b)), hn::Zero(D()));
+    }
   }
 
-  // More than the error of a mean of a and b.
-  static HWY_INLINE hn::Vec<D> edge_error(hn::Vec<D> a, hn::Vec<D> b) {
-    return hn::Mul(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Set(D(), 16 * 0x1p-53));
-  }
-
-  static HWY_INLINE bool is_certain(Bits doubt) {
-    return !kCertain || hn::AllTrue(DU(), hn::Eq(doubt, hn::Zero(DU())));
-  }
-
-  // A sum of products that is 0 is +0. Where floats have to be certain a -0 is found out as such.
-  static HWY_INLINE hn::Vec<D> without_minus_zero(hn::Vec<D> sum) {
-    return kCertain ? sum : hn::Add(sum, hn::Zero(D()));
+  static HWY_INLINE hn::Vec<D> larger(hn::Vec<D> a, hn::Vec<D> b) {
+    return hn::Max(hn::Abs(a), hn::Abs(b));
   }
 
   // Where a plane, at distances d of the vertices, cuts the edges from the apex to b and c.
   template <class V>
-  HWY_INLINE bool write_two_means(const V* const vertex[3], const Apex& order, const double d_of[3],
+  HWY_INLINE void write_two_means(const V* const vertex[3], const Apex& order, const double d_of[3],
                                   const CodePlane& plane, V* to_b, V* to_c) const {
     const D d;
     const double d_apex = std::abs(d_of[order.apex]), d_b = std::abs(d_of[order.b]),
                  d_c = std::abs(d_of[order.c]);
     const auto of_a_b = hn::Set(d, d_b), of_a_c = hn::Set(d, d_c), of_other = hn::Set(d, d_apex),
-               over_b = hn::Set(d, 1 / (d_apex + d_b)), over_c = hn::Set(d, 1 / (d_apex + d_c));
+               over_b = hn::Set(d, 1 / (d_apex + d_b)), over_c = hn::Set(d, 1 / (d_apex + d_c)),
+               error = hn::Set(d, kEdgeError);
     const V *a = vertex[order.apex], *b = vertex[order.b], *c = vertex[order.c];
     const Bits first = first_lanes(plane.w_weight == 0);
-    Bits doubt = hn::Zero(DU());
+    Doubt doubt_b, doubt_c;
     // Whole vectors that reach into the next vertex must not be written before it is.
     HWY_ALIGN V scratch[2][S::kWidth];
     V* const out_b = S::kLoadsInPlace ? to_b : scratch[0];
     V* const out_c = S::kLoadsInPlace ? to_c : scratch[1];
     for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
       const auto v_a = load(d, a + i), v_b = load(d, b + i), v_c = load(d, c + i);
-      const auto sum_b = hn::Add(hn::Mul(of_a_b, v_a), hn::Mul(of_other, v_b)),
-                 sum_c = hn::Add(hn::Mul(of_a_c, v_a), hn::Mul(of_other, v_c));
-      const Bits open_b = store_rounded(hn::Mul(without_minus_zero(sum_b), over_b),
-                                        edge_error(v_a, v_b), out_b + i);
-      const Bits open_c = store_rounded(hn::Mul(without_minus_zero(sum_c), over_c),
-                                        edge_error(v_a, v_c), out_c + i);
-      doubt = add_doubt(doubt, hn::Or(open_b, open_c), i, first);
+      const Bits open_b = store_mean(sum_of(of_a_b, v_a, of_other, v_b), over_b, larger(v_a, v_b),
+                                     error, out_b + i);
+      const Bits open_c = store_mean(sum_of(of_a_c, v_a, of_other, v_c), over_c, larger(v_a, v_c),
+                                     error, out_c + i);
+      doubt_b.add(open_b, i, first);
+      doubt_c.add(open_c, i, first);
     }
     set_on_plane(plane, out_b);
     set_on_plane(plane, out_c);
@@ -162,22 +222,40 @@ struct FromOriginals {
       std::memcpy(to_b, out_b, shape.floats() * sizeof(V));
       std::memcpy(to_c, out_c, shape.floats() * sizeof(V));
     }
-    return is_certain(doubt);
+    if constexpr (kCertain) {
+      if (hn::AllTrue(DU(), hn::Eq(hn::Or(doubt_b.some, doubt_c.some), hn::Zero(DU())))) return;
+      const int line = line_of(plane);
+      const bool inside = d_of[order.apex] > 0;  // then the polygon is the apex, to_b, to_c
+      if (!doubt_b.is_none()) {
+        write_again(vertex, inside ? order.c : line, inside ? line : order.c, doubt_b, to_b);
+      }
+      if (!doubt_c.is_none()) {
+        write_again(vertex, inside ? line : order.b, inside ? order.b : line, doubt_c, to_c);
+      }
+    }
+  }
+
+  // The vertex where the polygon goes over from one line to the other: what is in doubt, by expansions where
+  // need be.
+  HWY_NOINLINE void write_again(const float* const vertex[3], int from, int to, const Doubt& doubt,
+                                float* out) const {
+    ++tally.exact_vertices;
+    plain::write_corner(depth, shape.floats(), vertex, from, to, doubt.open, out);
   }
 
   // The mean of vertices a and b with those weights, a point of an edge.
   template <class V>
   HWY_INLINE void write_mean(double of_a, int a, double of_b, int b, const V* const vertex[3],
-                             bool sets_z, V* out, Bits& doubt) const {
+                             bool sets_z, Doubt& doubt, V* out) const {
     const D d;
     const auto l_a = hn::Set(d, of_a), l_b = hn::Set(d, of_b),
-               reciprocal = hn::Set(d, 1 / (of_a + of_b));
+               reciprocal = hn::Set(d, 1 / (of_a + of_b)), error = hn::Set(d, kEdgeError);
     const Bits first = first_lanes(sets_z);
     for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
       const auto v_a = load(d, vertex[a] + i), v_b = load(d, vertex[b] + i);
-      const auto sum = hn::Add(hn::Mul(l_a, v_a), hn::Mul(l_b, v_b));
-      const auto q = hn::Mul(without_minus_zero(sum), reciprocal);
-      doubt = add_doubt(doubt, store_rounded(q, edge_error(v_a, v_b), out + i), i, first);
+      const Bits open =
+          store_mean(sum_of(l_a, v_a, l_b, v_b), reciprocal, larger(v_a, v_b), error, out + i);
+      doubt.add(open, i, first);
     }
   }
 
@@ -191,8 +269,7 @@ struct FromOriginals {
     }
   }
 
-  // lambda = line `from` x line `to`, see `barycentric::meet`. Lines 0 to 2 are the triangle's edges, each
-  // opposite to its vertex, the others planes, 3 and on in the order of `kAllPlanes`.
+  // lambda = line `from` x line `to`, see `barycentric::meet`.
   struct Corner {
     double lambda[3], magnitude[3];
     std::uint8_t from, to;
@@ -212,12 +289,27 @@ struct FromOriginals {
     }
   };
 
-  // Whether all signs were certain and the outside corners one run.
-  HWY_INLINE bool cut(int line, Pool& pool, List& list) const {
-    const double* row = pool.lines[line];
+  // The corners outside a plane, and those whose side is certain.
+  struct Sides {
     unsigned outside = 0, decided = 0;
-    for (int i = 0; i < list.size; ++i) {
-      const Corner& c = pool.corners[list.at[i]];
+
+    HWY_INLINE void add(int i, double d, double error) {
+      outside |= static_cast<unsigned>(d < 0) << i;
+      decided |= static_cast<unsigned>(std::abs(d) > error) << i;
+    }
+  };
+
+  // Of the triangle's own vertices: distances are exact in sign.
+  static HWY_INLINE Sides vertex_sides(const double row[3]) {
+    Sides r;
+    for (int i = 0; i < 3; ++i) r.add(i, row[i], 0);
+    return r;
+  }
+
+  static HWY_INLINE Sides corner_sides(const double row[3], const Pool& pool, const List& list) {
+    Sides r;
+    for_each_place(list, [&](int i) {
+      const Corner& c = pool.corners[list.at(i)];
       const double d = c.lambda[0] * row[0] + c.lambda[1] * row[1] + c.lambda[2] * row[2];
       double error = 0;
       if constexpr (kCertain) {
@@ -225,21 +317,25 @@ struct FromOriginals {
                 (c.magnitude[0] * std::abs(row[0]) + c.magnitude[1] * std::abs(row[1]) +
                  c.magnitude[2] * std::abs(row[2]));
       }
-      outside |= static_cast<unsigned>(d < 0) << i;
-      decided |= static_cast<unsigned>(std::abs(d) > error) << i;
-    }
-    const unsigned all = (1u << list.size) - 1;
-    if (decided != all) return false;
+      r.add(i, d, error);
+    });
+    return r;
+  }
+
+  // Whether all sides were certain and the outside corners one run.
+  HWY_INLINE bool cut(int line, const Sides& sides, Pool& pool, List& list) const {
+    const unsigned all = (1u << list.size) - 1, outside = sides.outside & all;
+    if ((sides.decided & all) != all) return false;
     if (outside == 0) return true;
     if (outside == all) {
-      list.size = 0;
+      list = {};
       return true;
     }
     const Crossing crossing = find_crossing(outside, list.size);
     if (!crossing.is_one_run) return false;
-    List r = inside_run(list, crossing);
-    add_corner(pool.corners[list.at[crossing.last_in]].to, line, pool, r);
-    add_corner(line, pool.corners[list.at[crossing.first_in]].from, pool, r);
+    List r = inside_run(list, outside, crossing);
+    add_corner(pool.corners[list.at(crossing.last_in)].to, line, pool, r);
+    add_corner(line, pool.corners[list.at(crossing.first_in)].from, pool, r);
     list = r;
     return true;
   }
@@ -260,85 +356,76 @@ struct FromOriginals {
     list.add(pool.size++);
   }
 
-  // Whether all corners are certain and in front of the eye. The triangle's own vertices first, without a
-  // branch: slots of others are filled later.
+  // Whether all corners are in front of the eye; the triangle's own ones are, inside planes that are not met.
+  // These come first, without a branch: slots of others are filled later.
   template <class V>
   HWY_INLINE bool write_corners(const List& list, const Pool& pool, const Straddler<V>& s,
-                                const std::array<CodePlane, kPlanes>& planes, V* out) const {
+                                V* out) const {
     const std::size_t stride = shape.floats();
     int slots[3 + 2 * kPlanes], count = 0;
-    for (int i = 0; i < list.size; ++i) {
-      const int number = list.at[i];
+    for_each_place(list, [&](int i) {
+      const int number = list.at(i);
       copy_vertex(shape, s.vertex[number < 3 ? number : 0], out + i * stride);
       slots[count] = i;
       count += number >= 3;
-    }
-    Bits doubt = hn::Zero(DU());
-    bool certain = true;
-    for (int i = 0; i < count; ++i) {
+    });
+    bool in_front = true;
+    for (const int place : std::span(slots, count)) {
       HWY_ALIGN V scratch[S::kWidth];
-      V* const slot = out + slots[i] * stride;
+      const Corner& corner = pool.corners[list.at(place)];
+      V* const slot = out + place * stride;
       V* const v = S::kLoadsInPlace ? slot : scratch;
-      certain = write_corner(pool.corners[list.at[slots[i]]], s, planes, v, doubt) && certain;
+      Doubt doubt;
+      write_corner(corner, s, doubt, v);
       if (!S::kLoadsInPlace) std::memcpy(slot, v, stride * sizeof(V));
+      if constexpr (kCertain) {
+        if (!doubt.is_none()) write_again(s.vertex, corner.from, corner.to, doubt, slot);
+      }
+      in_front = in_front && slot[3] > 0;
     }
-    for (int i = 0; i < list.size; ++i) certain = certain && out[i * stride + 3] > 0;
-    return certain && is_certain(doubt);
+    return in_front;
   }
 
-  // Of a corner on one plane or two; whether the sum of its weights is certain.
+  // Of a corner on one plane or two.
   template <class V>
-  HWY_INLINE bool write_corner(const Corner& c, const Straddler<V>& s,
-                               const std::array<CodePlane, kPlanes>& planes, V* out,
-                               Bits& doubt) const {
+  HWY_INLINE void write_corner(const Corner& c, const Straddler<V>& s, Doubt& doubt, V* out) const {
     const int low = std::min(c.from, c.to), high = std::max(c.from, c.to);
-    const auto plane_of = [&](int line) -> const CodePlane& {
-      return planes[(line - 1) % kPlanes];
-    };
-    bool certain = true;
     if (low < 3) {
-      const int a = low == 0 ? 1 : 0, b = low == 2 ? 1 : 2;
-      write_mean(c.lambda[a], a, c.lambda[b], b, s.vertex, plane_of(high).w_weight == 0, out,
-                 doubt);
+      static constexpr std::uint8_t kEnds[3][2] = {{1, 2}, {0, 2}, {0, 1}};  // of an edge
+      const int a = kEnds[low][0], b = kEnds[low][1];
+      write_mean(c.lambda[a], a, c.lambda[b], b, s.vertex, plane_of(high).w_weight == 0, doubt,
+                 out);
     } else {
       const bool sets_z = plane_of(low).w_weight == 0 || plane_of(high).w_weight == 0;
-      certain = write_mean(c, s, sets_z, out, doubt);
+      write_mean(c, s, sets_z, doubt, out);
       set_on_plane(plane_of(low), out);
     }
     set_on_plane(plane_of(high), out);
-    return certain;
   }
 
-  // The mean of the three vertices at a meeting of two planes, with the bound of exact_lines.hpp,
-  // `rounded_quotient`. Whether the sum of weights is certain.
+  // The mean of the three vertices at a meeting of two planes. The bound is that of
+  // `rounded_quotient` (exact_lines.hpp): lambda . |v| and |q| times the sum of lambda are no more than
+  // the largest |v| times that of the magnitudes.
   template <class V>
-  HWY_INLINE bool write_mean(const Corner& c, const Straddler<V>& s, bool sets_z, V* out,
-                             Bits& doubt) const {
+  HWY_INLINE void write_mean(const Corner& c, const Straddler<V>& s, bool sets_z, Doubt& doubt,
+                             V* out) const {
     const D d;
     const double total = c.lambda[0] + c.lambda[1] + c.lambda[2],
                  total_error = 10 * 0x1p-53 * (c.magnitude[0] + c.magnitude[1] + c.magnitude[2]);
-    if (kCertain && !(total > 0x1p20 * total_error)) return false;
-    const auto reciprocal = hn::Set(d, 1 / total), weight = hn::Set(d, 1 / total * (1 + 0x1p-18)),
-               of_total = hn::Set(d, total_error);
+    if (kCertain && !(total > 0x1p20 * total_error)) return doubt.set_all();
+    const auto reciprocal = hn::Set(d, 1 / total),
+               error = hn::Set(d, 2 * total_error / total * (1 + 0x1p-17) + 0x1p-50);
     const auto l_0 = hn::Set(d, c.lambda[0]), l_1 = hn::Set(d, c.lambda[1]),
-               l_2 = hn::Set(d, c.lambda[2]), m_0 = hn::Set(d, c.magnitude[0]),
-               m_1 = hn::Set(d, c.magnitude[1]), m_2 = hn::Set(d, c.magnitude[2]);
+               l_2 = hn::Set(d, c.lambda[2]);
     const Bits first = first_lanes(sets_z);
     for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
       const auto v_0 = load(d, s.vertex[0] + i), v_1 = load(d, s.vertex[1] + i),
                  v_2 = load(d, s.vertex[2] + i);
-      const auto sum = hn::Add(hn::Add(hn::Add(hn::Zero(d), hn::Mul(l_0, v_0)), hn::Mul(l_1, v_1)),
-                               hn::Mul(l_2, v_2));
-      const auto magnitude =
-          hn::Add(hn::Add(hn::Mul(m_0, hn::Abs(v_0)), hn::Mul(m_1, hn::Abs(v_1))),
-                  hn::Mul(m_2, hn::Abs(v_2)));
-      const auto q = hn::Mul(sum, reciprocal), of_q = hn::Abs(q),
-                 of_sum = hn::Mul(magnitude, hn::Set(d, 10 * 0x1p-53));
-      const auto error = hn::Add(hn::Mul(hn::Add(of_sum, hn::Mul(of_q, of_total)), weight),
-                                 hn::Mul(of_q, hn::Set(d, 0x1p-51)));
-      doubt = add_doubt(doubt, store_rounded(q, error, out + i), i, first);
+      const auto sum = hn::Add(sum_of(l_0, v_0, l_1, v_1), hn::Mul(l_2, v_2));
+      const Bits open =
+          store_mean(sum, reciprocal, hn::Max(larger(v_0, v_1), hn::Abs(v_2)), error, out + i);
+      doubt.add(open, i, first);
     }
-    return true;
   }
 };
 

@@ -103,8 +103,9 @@ struct Tally {
   std::uint64_t rejected = 0, inside = 0;
   std::uint64_t one_plane = 0;  // cut by one plane, in the branch-free path
   std::uint64_t planes = 0;     // cut by several
-  std::uint64_t exact = 0;      // correctly rounded: where expansions had to settle something
-  std::uint64_t plain = 0;      // handed to the plain version
+  std::uint64_t exact = 0;      // correctly rounded: with a decision that expansions had to settle
+  std::uint64_t exact_vertices = 0;  // correctly rounded: new vertices with floats that they had to
+  std::uint64_t plain = 0;           // handed to the plain version
 };
 
 // What a call leaves behind; reused from call to call it allocates no more. A vertex is 4 + attributes

@@ -137,13 +137,25 @@ HWY_INLINE void meet(const S& shape, const From* a, const From* b, T t, To* out)
 
 inline constexpr int kGiveUp = -1;
 
-// A convex polygon's vertices as numbers in a pool.
+// A convex polygon's vertices as numbers in a pool, four bits each: kept in a register, where it is rotated
+// without a loop. Beyond the size there are zeros.
 struct List {
-  std::uint8_t at[3 + 2 * kPlanes + 1] = {};
-  int size = 0;
+  std::uint64_t packed;
+  int size;
 
-  HWY_INLINE void add(int number) { at[size++] = static_cast<std::uint8_t>(number); }
+  HWY_INLINE int at(int i) const { return static_cast<int>(packed >> (4 * i) & 15); }
+  HWY_INLINE void add(int number) { packed |= static_cast<std::uint64_t>(number) << (4 * size++); }
 };
+inline constexpr List kTriangle = {0x210, 3};
+static_assert(3 + 2 * kPlanes <= 16);  // numbers in a pool
+
+// f(i) for each place of a list, and for 0 to 3 always: most lists have three or four vertices, and how many
+// is not to be predicted.
+template <class F>
+HWY_INLINE void for_each_place(const List& list, F&& f) {
+  for (int i = 0; i < 4; ++i) f(i);
+  for (int i = 4; i < list.size; ++i) f(i);
+}
 
 // The places in a list where it leaves the inside of a plane and enters it again.
 struct Crossing {
@@ -156,19 +168,17 @@ HWY_INLINE Crossing find_crossing(unsigned outside, int size) {
   const unsigned starts = outside & ~(outside << 1 | outside >> (size - 1));
   if ((starts & (starts - 1)) != 0) return {};
   const int first_out = std::countr_zero(starts), length = std::popcount(outside);
-  const auto wrap = [size](int i) { return i >= size ? i - size : i; };
+  const auto wrap = [size](int i) { return i - (size & -static_cast<int>(i >= size)); };
   return {true, wrap(first_out + size - 1), first_out, wrap(first_out + length - 1),
           wrap(first_out + length)};
 }
 
 // The inside vertices of a list, in order.
-HWY_INLINE List inside_run(const List& list, const Crossing& crossing) {
-  List r{{}, 0};
-  for (int i = crossing.first_in; i != crossing.first_out;) {
-    r.add(list.at[i]);
-    i = i + 1 == list.size ? 0 : i + 1;
-  }
-  return r;
+HWY_INLINE List inside_run(const List& list, unsigned outside, const Crossing& crossing) {
+  const int size = list.size - std::popcount(outside);
+  const std::uint64_t rotated =
+      list.packed >> (4 * crossing.first_in) | list.packed << (4 * (list.size - crossing.first_in));
+  return {rotated & ((std::uint64_t{1} << (4 * size)) - 1), size};
 }
 
 // A mask of the vertices outside a plane. The sign of a rounded sum is the exact one.
@@ -219,7 +229,7 @@ struct Chain {
       load_vertex(s.vertex[i], pool.vertex[i]);
       pool.code[i] = s.code[i];
     }
-    List list{{0, 1, 2}, 3};
+    List list = kTriangle;
     for (const Plane& plane : planes) {
       if ((s.any >> plane.bit & 1) == 0) continue;
       if (!cut(plane, pool, list)) return kGiveUp;
@@ -227,7 +237,7 @@ struct Chain {
     if (list.size < 3) return 0;
     int kept = 0;
     for (int i = 0; i < list.size; ++i) {
-      const T* v = pool.vertex[list.at[i]];
+      const T* v = pool.vertex[list.at(i)];
       if (!(v[3] > 0)) continue;
       copy_vertex(shape, v, out + kept++ * shape.floats());
     }
@@ -251,19 +261,19 @@ struct Chain {
   // Whether the outside vertices were one run.
   bool cut(const Plane& plane, Pool& pool, List& list) const {
     unsigned outside = 0;
-    for (int i = 0; i < list.size; ++i) {
-      outside |= (pool.code[list.at[i]] >> plane.bit & 1) << i;
-    }
+    for_each_place(list, [&](int i) { outside |= (pool.code[list.at(i)] >> plane.bit & 1) << i; });
+    const unsigned all = (1u << list.size) - 1;
+    outside &= all;
     if (outside == 0) return true;
-    if (outside == (1u << list.size) - 1) {
-      list.size = 0;
+    if (outside == all) {
+      list = {};
       return true;
     }
     const Crossing crossing = find_crossing(outside, list.size);
     if (!crossing.is_one_run) return false;
-    List r = inside_run(list, crossing);
-    add_cut(plane, list.at[crossing.last_in], list.at[crossing.first_out], pool, r);
-    add_cut(plane, list.at[crossing.first_in], list.at[crossing.last_out], pool, r);
+    List r = inside_run(list, outside, crossing);
+    add_cut(plane, list.at(crossing.last_in), list.at(crossing.first_out), pool, r);
+    add_cut(plane, list.at(crossing.first_in), list.at(crossing.last_out), pool, r);
     list = r;
     return true;
   }

@@ -15,6 +15,13 @@ bool is_usable(const ClipTriangle<float, K>& triangle) {
   return true;
 }
 
+template <int K>
+ClipTriangle<float, K> read_triangle(const float* const vertex[3], int attributes) {
+  ClipTriangle<float, K> r;
+  for (std::size_t i = 0; i < 3; ++i) r[i] = read_vertex<K>(vertex[i], attributes);
+  return r;
+}
+
 // Where the triangles that are inside go.
 enum class Inside { written, named };
 
@@ -100,10 +107,8 @@ void full(Method method, const Projection<float>& projection, const ViewVertexAr
 template <int K>
 int cut_with(Method method, const ClipVolume& volume, int attributes, const float* const vertex[3],
              float* out) {
-  ClipTriangle<float, K> triangle;
-  for (std::size_t i = 0; i < 3; ++i) triangle[i] = read_vertex<K>(vertex[i], attributes);
   ClipPolygon<float, K> polygon;
-  clip_stage(method, volume, triangle, polygon);
+  clip_stage(method, volume, read_triangle<K>(vertex, attributes), polygon);
   write_polygon(polygon, out);
   return polygon.size();
 }
@@ -169,6 +174,27 @@ int cut(Method method, const ClipVolume& volume, int attributes, const float* co
         float* out) {
   if (attributes == 4) return cut_with<4>(method, volume, attributes, vertex, out);
   return cut_with<kRunTime>(method, volume, attributes, vertex, out);
+}
+
+void write_corner(DepthRange depth, std::size_t floats, const float* const vertex[3], int from,
+                  int to, const std::uint32_t* open, float* out) {
+  const auto values = [&](std::size_t i) {
+    return barycentric::Values{vertex[0][i], vertex[1][i], vertex[2][i]};
+  };
+  const barycentric::Values w = values(3);
+  barycentric::Line rows[2];
+  const auto line = [&](int number, barycentric::Line& row) -> const barycentric::Line& {
+    if (number < 3) return barycentric::kEdges[static_cast<std::size_t>(number)];
+    const Plane plane = static_cast<Plane>(number - 3);
+    const barycentric::PlaneForm form = barycentric::plane_form(depth, plane);
+    return row = barycentric::clip_row(form, plane, values(static_cast<std::size_t>(form.axis)), w);
+  };
+  const barycentric::Meeting at = barycentric::meet(line(from, rows[0]), line(to, rows[1]));
+  const barycentric::Divisor sum = barycentric::divisor(at, barycentric::kOnes);
+  barycentric::CountNothing count;
+  for (std::size_t i = 0; i < floats; ++i) {
+    if (open[i] != 0) out[i] = barycentric::rounded_quotient(at, values(i), sum, count);
+  }
 }
 
 int cut_full(Method method, const Projection<float>& projection, int attributes,

@@ -20,6 +20,12 @@ void full(Method method, const Projection<float>& projection, const ViewVertexAr
 // One triangle: writes the polygon's vertices to `out` and returns how many they are.
 int cut(Method method, const ClipVolume& volume, int attributes, const float* const vertex[3],
         float* out);
+// Of the vertex of the polygon that `cut` writes for the method correctly_rounded where its boundary goes over
+// from one line to the other, those floats whose place in `open` is not 0. Lines 0 to 2 are the
+// triangle's edges, each opposite to its vertex, then come the planes in the order of `kAllPlanes`.
+// Pre-condition: all floats are finite.
+void write_corner(DepthRange depth, std::size_t floats, const float* const vertex[3], int from,
+                  int to, const std::uint32_t* open, float* out);
 // vertices: three of a ViewVertexArray.
 int cut_full(Method method, const Projection<float>& projection, int attributes,
              const float* vertices, float* out);

@@ -27,11 +27,14 @@ class Cutter {
   using CutPlane = std::conditional_t<kIsView, ViewCodePlane, CodePlane>;
 
   Cutter(DepthRange depth, int attributes)
-      : shape{attributes}, limits(depth), planes_(code_planes(depth)) {
+      : shape{attributes}, limits(depth), depth_(depth), planes_(planes_in(depth)) {
     index_planes();
   }
   Cutter(const Frustum<float>& frustum, int attributes)
-      : shape{attributes}, limits(view_code_planes(frustum)), planes_(view_code_planes(frustum)) {
+      : shape{attributes},
+        limits(view_code_planes(frustum)),
+        depth_(frustum.depth),
+        planes_(view_code_planes(frustum)) {
     index_planes();
   }
 
@@ -47,8 +50,8 @@ class Cutter {
     }
     const bool one = (any & kPlaneBits) != 0 && (any & (any - 1)) == 0;
     ++(one ? tally.one_plane : tally.planes);
-    const int count = one ? cut_one_plane(vertex, by_bit_[std::countr_zero(any)], out)
-                          : cut_planes(vertex, any, out);
+    const int count = one ? way(tally).cut_one_plane(vertex, by_bit_[std::countr_zero(any)], out)
+                          : cut_planes(vertex, any, out, tally);
     if (count == kGiveUp) {
       --(one ? tally.one_plane : tally.planes);
       ++(kMethod == Method::correctly_rounded ? tally.exact : tally.plain);
@@ -63,30 +66,35 @@ class Cutter {
   using ChainOf = Chain<T, S, Limits, CutPlane>;
   using Originals = FromOriginals<kMethod == Method::correctly_rounded, S>;
 
+  static std::array<CodePlane, kPlanes> planes_in(DepthRange depth) {
+    auto planes = code_planes(depth);
+    if (!kIsChain)
+      std::rotate(planes.begin(), planes.begin() + 2, planes.end());  // as `kAllPlanes`
+    return planes;
+  }
+
   void index_planes() {
     for (const CutPlane& plane : planes_) by_bit_[plane.bit] = plane;
   }
 
-  HWY_INLINE int cut_one_plane(const V* const vertex[3], const CutPlane& plane, V* out) const {
+  // From plane to plane, or from the three own vertices.
+  HWY_INLINE auto way([[maybe_unused]] Tally& tally) const {
     if constexpr (kIsChain) {
-      return ChainOf{shape, limits, planes_}.cut_one_plane(vertex, plane, out);
+      return ChainOf{shape, limits, planes_};
     } else {
-      return Originals{shape}.cut_one_plane(vertex, plane, out);
+      return Originals{shape, planes_, depth_, tally};
     }
   }
 
-  HWY_NOINLINE int cut_planes(const V* const vertex[3], unsigned any, V* out) const {
+  HWY_NOINLINE int cut_planes(const V* const vertex[3], unsigned any, V* out, Tally& tally) const {
     const Straddler<V> s{{vertex[0], vertex[1], vertex[2]},
                          {vertex_code(limits, vertex[0]), vertex_code(limits, vertex[1]),
                           vertex_code(limits, vertex[2])},
                          any};
-    if constexpr (kIsChain) {
-      return ChainOf{shape, limits, planes_}.cut_planes(s, out);
-    } else {
-      return Originals{shape}.cut_planes(s, planes_, out);
-    }
+    return way(tally).cut_planes(s, out);
   }
 
+  const DepthRange depth_;
   const std::array<CutPlane, kPlanes> planes_;
   std::array<CutPlane, 8> by_bit_{};
 };

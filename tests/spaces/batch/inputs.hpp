@@ -76,7 +76,9 @@ struct Soup {
   IndexedMesh mesh() const { return {array(), indices}; }
 };
 
-inline Soup make_soup(Random& random, Numbers numbers, int attributes, std::size_t triangles) {
+// Attributes: chosen as the positions are, unless they are given a choice of their own.
+inline Soup make_soup(Random& random, Numbers numbers, int attributes, std::size_t triangles,
+                      std::optional<Numbers> of_attributes = {}) {
   Soup soup{attributes, {}, std::vector<std::vector<float>>(12), {}, {}};
   for (std::size_t t = 0; t < triangles; ++t) {
     const bool in_front = random() % 4 != 0;
@@ -90,7 +92,7 @@ inline Soup make_soup(Random& random, Numbers numbers, int attributes, std::size
         soup.coordinates[4 * v + c].push_back(x);
       }
       for (int k = 0; k < attributes; ++k) {
-        const float a = number(random, numbers);
+        const float a = number(random, of_attributes.value_or(numbers));
         soup.vertices.push_back(a);
         soup.attribute_values.push_back(a);
       }

@@ -58,6 +58,23 @@ TEST_CASE("batch: SIMD gives the bits of the plain version, whatever the numbers
   });
 }
 
+// Halves of sums of floats: many lie half-way between two floats.
+TEST_CASE("batch: ties are rounded as the plain version does") {
+  Random random(7);
+  for (const int attributes : {4, 7}) {
+    const Soup soup = make_soup(random, Numbers::lattice, attributes, 3000, Numbers::near_volume);
+    Output plain;
+    clip(Method::correctly_rounded, {}, soup.array(), plain, Build::plain);
+    on_every_target([&] {
+      Output simd;
+      clip(Method::correctly_rounded, {}, soup.array(), simd);
+      CHECK(first_difference(plain, simd) == std::nullopt);
+      const bool is_plain = simd.tally().one_plane == 0;  // a target without vectors
+      CHECK((is_plain || simd.tally().exact_vertices > 100));
+    });
+  }
+}
+
 TEST_CASE("batch: SIMD gives the bits of the plain version for any number of attributes") {
   on_every_target([] {
     for (const int attributes : {0, 1, 2, 3, 5, 8, 12, 31, 32}) {

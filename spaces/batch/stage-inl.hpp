@@ -175,14 +175,6 @@ class StageCutter : public Cutter<kMethod, K, float> {
   const ClipVolume volume_;
 };
 
-// Few triangles are cut, so what only they need is asked for before its turn: by so many triangles.
-inline constexpr std::size_t kAhead = 8;
-
-HWY_INLINE void prefetch_floats(const float* p, std::size_t count) {
-  for (std::size_t i = 0; i < count; i += 16) hwy::Prefetch(p + i);
-  if (count != 0) hwy::Prefetch(p + count - 1);
-}
-
 template <Method kMethod, int K>
 void clip_copy(const ClipVolume& volume, const VertexArray& in, Output& out) {
   const StageCutter<kMethod, K> cutter(volume, in.attributes);
@@ -214,6 +206,31 @@ void clip_copy(const ClipVolume& volume, const VertexArray& in, Output& out) {
   }
 }
 
+// Few triangles are cut: what only they need is asked for when they are found.
+HWY_INLINE void prefetch_floats(const float* p, std::size_t count) {
+  for (std::size_t i = 0; i < count; i += 16) hwy::Prefetch(p + i);
+  if (count != 0) hwy::Prefetch(p + count - 1);
+}
+
+// The numbers first, first + 1, … of the lanes that are set; returns where the next number goes. Where an
+// instruction does not do it, Highway looks a permutation up in a table that GCC copies to the stack each
+// time, 1 KB: this takes a quarter of that.
+template <class D>
+HWY_INLINE std::uint32_t* append_numbers(D d, std::size_t first, hn::Mask<D> lanes,
+                                         std::uint32_t* to) {
+  if constexpr (hn::MaxLanes(D()) > 8) {
+    const auto numbers = hn::Iota(d, static_cast<std::uint32_t>(first));
+    return to + hn::CompressStore(numbers, lanes, d, to);
+  } else {
+    const unsigned bits = mask_bits(d, lanes);
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+      *to = static_cast<std::uint32_t>(first + lane);
+      to += bits >> lane & 1;
+    }
+    return to;
+  }
+}
+
 // Classifies triangles [first, first + count) in whole vectors, and returns how many that are: numbers of those
 // inside go to the writer, others that survive, counted from `first`, to the list.
 template <class D>
@@ -222,6 +239,7 @@ HWY_INLINE std::size_t classify_streams(D d, const ClipLimits& limits, const Tri
                                         Survivors& out) {
   const hn::RebindToUnsigned<D> du;
   const bool from_zero = limits.keep[6] == 0;
+  const auto floats = 3 * static_cast<std::size_t>(in.attribute_count);  // attributes of a triangle
   std::size_t t = 0;
   for (; t + hn::Lanes(d) <= count; t += hn::Lanes(d)) {
     // Per plane: whether some vertex is inside; and whether all are, of all planes.
@@ -248,10 +266,11 @@ HWY_INLINE std::size_t classify_streams(D d, const ClipLimits& limits, const Tri
     // Where `every` holds no w is NaN.
     const auto inside =
         hn::And(every, hn::And(hn::Le(most_w, hn::Set(d, kLargest)), hn::Gt(least_w, hn::Zero(d))));
-    const auto numbers = hn::Iota(du, static_cast<std::uint32_t>(first + t));
-    writer.inside += hn::CompressStore(numbers, hn::RebindMask(du, inside), du, writer.inside);
+    writer.inside = append_numbers(du, first + t, hn::RebindMask(du, inside), writer.inside);
     for (unsigned rest = mask_bits(d, hn::AndNot(inside, survives)); rest != 0; rest &= rest - 1) {
-      out.triangle[out.count++] = static_cast<std::uint16_t>(t + std::countr_zero(rest));
+      const auto cut = t + static_cast<std::size_t>(std::countr_zero(rest));
+      out.triangle[out.count++] = static_cast<std::uint16_t>(cut);
+      prefetch_floats(in.attributes + (first + cut) * floats, floats);
     }
   }
   return t;
@@ -289,13 +308,7 @@ void clip_reference(const ClipVolume& volume, const TriangleStreams& in, Output&
     const auto inside_count = static_cast<std::size_t>(writer.inside - inside);
     tally.inside += inside_count;
     tally.rejected += count - inside_count - survivors.count;
-    const std::size_t floats = 3 * (cutter.shape.floats() - 4);  // attributes of a triangle
-    const auto prefetch = [&](std::size_t i) {
-      prefetch_floats(in.attributes + (first + survivors.triangle[i]) * floats, floats);
-    };
-    for (std::size_t i = 0; i < std::min<std::size_t>(kAhead, survivors.count); ++i) prefetch(i);
     for (std::size_t i = 0; i < survivors.count; ++i) {
-      if (i + kAhead < survivors.count) prefetch(i + kAhead);
       padded.set(cutter.shape, in, first + survivors.triangle[i]);
       const unsigned any = codes_of(cutter.limits, padded.vertex).any;
       cutter.cut_into(padded.vertex, any, first + survivors.triangle[i], writer, tally);
@@ -344,6 +357,7 @@ void clip_indexed(const ClipVolume& volume, const IndexedMesh& mesh, Output& out
     writer.inside = inside;
     tally.inside += inside_count;
     tally.rejected += count - inside_count - survivors.count;
+    constexpr std::size_t kAhead = 8;
     const auto prefetch = [&](std::size_t i) {
       for (int v = 0; v < 3; ++v) {
         const std::uint32_t index = indices[3 * survivors.triangle[i] + v];

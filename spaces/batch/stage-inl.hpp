@@ -153,59 +153,6 @@ class Padded {
   HWY_ALIGN V memory_[3][S::kWidth] = {};
 };
 
-// The stage's cutter, with the plain version behind it.
-template <Method kMethod, int K>
-class StageCutter : public Cutter<kMethod, K, float> {
-  using Base = Cutter<kMethod, K, float>;
-
- public:
-  StageCutter(const ClipVolume& volume, int attributes)
-      : Base(volume.depth, attributes), volume_(volume) {}
-
-  HWY_NOINLINE void cut_into(const float* const vertex[3], unsigned any, std::size_t triangle,
-                             Writer& writer, Tally& tally) const {
-    int count = Base::cut(vertex, any, writer.next, tally);
-    if (count == kGiveUp) {
-      count = plain::cut(kMethod, volume_, Base::shape.attributes, vertex, writer.next);
-    }
-    writer.add(triangle, count);
-  }
-
- private:
-  const ClipVolume volume_;
-};
-
-template <Method kMethod, int K>
-void clip_copy(const ClipVolume& volume, const VertexArray& in, Output& out) {
-  const StageCutter<kMethod, K> cutter(volume, in.attributes);
-  const OutputAccess access{out};
-  access.begin(in.attributes);
-  Padded<Shape<K>> padded;
-  Survivors survivors;
-  const std::size_t stride = cutter.shape.floats(), triangles = in.count / 3;
-  for (std::size_t first = 0; first < triangles; first += kBlock) {
-    const std::size_t count = std::min(kBlock, triangles - first);
-    const float* block = in.data + first * 3 * stride;
-    classify_block(cutter.limits, block, stride, count, survivors);
-    Writer writer = access.block(survivors.count);
-    Tally& tally = access.tally();
-    tally.rejected += count - survivors.count;
-    for (std::size_t i = 0; i < survivors.count; ++i) {
-      const std::size_t t = survivors.triangle[i];
-      const float* v = block + 3 * t * stride;
-      if (survivors.any[i] == 0) {
-        copy_triangle(cutter.shape, v, writer.next);
-        writer.add(first + t, 3);
-        ++tally.inside;
-      } else {
-        padded.set(cutter.shape, v, v + stride, v + 2 * stride);
-        cutter.cut_into(padded.vertex, survivors.any[i], first + t, writer, tally);
-      }
-    }
-    access.commit(writer);
-  }
-}
-
 // Few triangles are cut: what only they need is asked for when they are found.
 HWY_INLINE void prefetch_floats(const float* p, std::size_t count) {
   for (std::size_t i = 0; i < count; i += 16) hwy::Prefetch(p + i);
@@ -283,40 +230,6 @@ HWY_INLINE Codes codes_of(const ClipLimits& limits, const float* const vertex[3]
   return {a & b & c, a | b | c};
 }
 
-template <Method kMethod, int K>
-void clip_reference(const ClipVolume& volume, const TriangleStreams& in, Output& out) {
-  const StageCutter<kMethod, K> cutter(volume, in.attribute_count);
-  const OutputAccess access{out};
-  access.begin(in.attribute_count);
-  Padded<Shape<K>> padded;
-  Survivors survivors;
-  for (std::size_t first = 0; first < in.count; first += kBlock) {
-    const std::size_t count = std::min(kBlock, in.count - first);
-    Writer writer = access.block(count);
-    const std::uint32_t* inside = writer.inside;
-    survivors.count = 0;
-    std::size_t t = classify_streams(hn::ScalableTag<float>(), cutter.limits, in, first, count,
-                                     writer, survivors);
-    for (; t < count; ++t) {  // what is left of a vector
-      padded.set(cutter.shape, in, first + t);
-      const Codes codes = codes_of(cutter.limits, padded.vertex);
-      if (codes.any == 0) *writer.inside++ = static_cast<std::uint32_t>(first + t);
-      survivors.triangle[survivors.count] = static_cast<std::uint16_t>(t);
-      survivors.count += codes.any != 0 && (codes.all & kPlaneBits) == 0;
-    }
-    Tally& tally = access.tally();
-    const auto inside_count = static_cast<std::size_t>(writer.inside - inside);
-    tally.inside += inside_count;
-    tally.rejected += count - inside_count - survivors.count;
-    for (std::size_t i = 0; i < survivors.count; ++i) {
-      padded.set(cutter.shape, in, first + survivors.triangle[i]);
-      const unsigned any = codes_of(cutter.limits, padded.vertex).any;
-      cutter.cut_into(padded.vertex, any, first + survivors.triangle[i], writer, tally);
-    }
-    access.commit(writer);
-  }
-}
-
 // Codes of all vertices of a mesh.
 template <int K>
 HWY_INLINE void classify_vertices(const Shape<K>& shape, const ClipLimits& limits,
@@ -327,54 +240,136 @@ HWY_INLINE void classify_vertices(const Shape<K>& shape, const ClipLimits& limit
   }
 }
 
+// The stage in its contracts, one call of one of them: the cutter with the plain version behind it, and what
+// a block of triangles needs.
 template <Method kMethod, int K>
-void clip_indexed(const ClipVolume& volume, const IndexedMesh& mesh, Output& out) {
-  const StageCutter<kMethod, K> cutter(volume, mesh.vertices.attributes);
-  const OutputAccess access{out};
-  access.begin(mesh.vertices.attributes);
-  std::uint8_t* const codes = access.codes(mesh.vertices.count);
-  classify_vertices(cutter.shape, cutter.limits, mesh.vertices, codes);
-  Padded<Shape<K>> padded;
-  Survivors survivors;
-  const std::size_t stride = cutter.shape.floats(), triangles = mesh.indices.size() / 3;
-  for (std::size_t first = 0; first < triangles; first += kBlock) {
-    const std::size_t count = std::min(kBlock, triangles - first);
-    const std::uint32_t* indices = mesh.indices.data() + 3 * first;
-    Writer writer = access.block(count);
-    std::uint32_t* inside = writer.inside;
-    survivors.count = 0;
-    for (std::size_t t = 0; t < count; ++t) {
-      const unsigned a = codes[indices[3 * t]], b = codes[indices[3 * t + 1]],
-                     c = codes[indices[3 * t + 2]], any = a | b | c;
-      *inside = static_cast<std::uint32_t>(first + t);
-      inside += any == 0;
-      survivors.triangle[survivors.count] = static_cast<std::uint16_t>(t);
-      survivors.any[survivors.count] = static_cast<std::uint8_t>(any);
-      survivors.count += any != 0 && (a & b & c & kPlaneBits) == 0;
-    }
-    Tally& tally = access.tally();
-    const auto inside_count = static_cast<std::size_t>(inside - writer.inside);
-    writer.inside = inside;
-    tally.inside += inside_count;
-    tally.rejected += count - inside_count - survivors.count;
-    constexpr std::size_t kAhead = 8;
-    const auto prefetch = [&](std::size_t i) {
-      for (int v = 0; v < 3; ++v) {
-        const std::uint32_t index = indices[3 * survivors.triangle[i] + v];
-        prefetch_floats(mesh.vertices.data + index * stride, stride);
-      }
-    };
-    for (std::size_t i = 0; i < std::min<std::size_t>(kAhead, survivors.count); ++i) prefetch(i);
-    for (std::size_t i = 0; i < survivors.count; ++i) {
-      if (i + kAhead < survivors.count) prefetch(i + kAhead);
-      const std::size_t t = survivors.triangle[i];
-      const auto at = [&](int v) { return mesh.vertices.data + indices[3 * t + v] * stride; };
-      padded.set(cutter.shape, at(0), at(1), at(2));
-      cutter.cut_into(padded.vertex, survivors.any[i], first + t, writer, tally);
-    }
-    access.commit(writer);
+class Stage {
+ public:
+  Stage(const ClipVolume& volume, int attributes, Output& out)
+      : volume_(volume), cutter_(volume.depth, attributes), access_{out} {
+    access_.begin(attributes);
   }
-}
+
+  void copy(const VertexArray& in) {
+    const std::size_t stride = cutter_.shape.floats();
+    for_each_block(in.count / 3, [&](std::size_t first, std::size_t count) {
+      const float* block = in.data + first * 3 * stride;
+      classify_block(cutter_.limits, block, stride, count, survivors_);
+      Writer writer = access_.block(survivors_.count);
+      access_.tally().rejected += count - survivors_.count;
+      for (std::size_t i = 0; i < survivors_.count; ++i) {
+        const std::size_t t = survivors_.triangle[i];
+        const float* v = block + 3 * t * stride;
+        if (survivors_.any[i] == 0) {
+          copy_triangle(cutter_.shape, v, writer.next);
+          writer.add(first + t, 3);
+          ++access_.tally().inside;
+        } else {
+          padded_.set(cutter_.shape, v, v + stride, v + 2 * stride);
+          cut(survivors_.any[i], first + t, writer);
+        }
+      }
+      access_.commit(writer);
+    });
+  }
+
+  void reference(const TriangleStreams& in) {
+    for_each_block(in.count, [&](std::size_t first, std::size_t count) {
+      Writer writer = access_.block(count);
+      const std::uint32_t* const inside = writer.inside;
+      survivors_.count = 0;
+      std::size_t t = classify_streams(hn::ScalableTag<float>(), cutter_.limits, in, first, count,
+                                       writer, survivors_);
+      for (; t < count; ++t) {  // what is left of a vector
+        padded_.set(cutter_.shape, in, first + t);
+        const Codes codes = codes_of(cutter_.limits, padded_.vertex);
+        if (codes.any == 0) *writer.inside++ = static_cast<std::uint32_t>(first + t);
+        survivors_.triangle[survivors_.count] = static_cast<std::uint16_t>(t);
+        survivors_.count += codes.any != 0 && (codes.all & kPlaneBits) == 0;
+      }
+      count_uncut(count, inside, writer);
+      for (std::size_t i = 0; i < survivors_.count; ++i) {
+        const std::size_t triangle = first + survivors_.triangle[i];
+        padded_.set(cutter_.shape, in, triangle);
+        cut(codes_of(cutter_.limits, padded_.vertex).any, triangle, writer);
+      }
+      access_.commit(writer);
+    });
+  }
+
+  void indexed(const IndexedMesh& mesh) {
+    std::uint8_t* const codes = access_.codes(mesh.vertices.count);
+    classify_vertices(cutter_.shape, cutter_.limits, mesh.vertices, codes);
+    for_each_block(mesh.indices.size() / 3, [&](std::size_t first, std::size_t count) {
+      const std::uint32_t* const indices = mesh.indices.data() + 3 * first;
+      Writer writer = access_.block(count);
+      const std::uint32_t* const inside = writer.inside;
+      survivors_.count = 0;
+      for (std::size_t t = 0; t < count; ++t) {
+        const unsigned a = codes[indices[3 * t]], b = codes[indices[3 * t + 1]],
+                       c = codes[indices[3 * t + 2]], any = a | b | c;
+        *writer.inside = static_cast<std::uint32_t>(first + t);
+        writer.inside += any == 0;
+        survivors_.triangle[survivors_.count] = static_cast<std::uint16_t>(t);
+        survivors_.any[survivors_.count] = static_cast<std::uint8_t>(any);
+        survivors_.count += any != 0 && (a & b & c & kPlaneBits) == 0;
+      }
+      count_uncut(count, inside, writer);
+      cut_survivors(mesh.vertices.data, indices, first, writer);
+      access_.commit(writer);
+    });
+  }
+
+ private:
+  template <class F>
+  static HWY_INLINE void for_each_block(std::size_t triangles, F&& f) {
+    for (std::size_t first = 0; first < triangles; first += kBlock) {
+      f(first, std::min(kBlock, triangles - first));
+    }
+  }
+
+  // The triangles of a block that need no cut. inside: where the writer's numbers began.
+  HWY_INLINE void count_uncut(std::size_t triangles, const std::uint32_t* inside,
+                              const Writer& writer) const {
+    const auto inside_count = static_cast<std::size_t>(writer.inside - inside);
+    access_.tally().inside += inside_count;
+    access_.tally().rejected += triangles - inside_count - survivors_.count;
+  }
+
+  // Of a mesh's block, whose indices these are; `first` is its first triangle.
+  HWY_INLINE void cut_survivors(const float* vertices, const std::uint32_t* indices,
+                                std::size_t first, Writer& writer) {
+    constexpr std::size_t kAhead = 8;
+    const std::size_t stride = cutter_.shape.floats(), count = survivors_.count;
+    const auto vertex = [&](std::size_t i, std::size_t v) {
+      return vertices + indices[3 * survivors_.triangle[i] + v] * stride;
+    };
+    const auto prefetch = [&](std::size_t i) {
+      for (std::size_t v = 0; v < 3; ++v) prefetch_floats(vertex(i, v), stride);
+    };
+    for (std::size_t i = 0; i < std::min(kAhead, count); ++i) prefetch(i);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i + kAhead < count) prefetch(i + kAhead);
+      padded_.set(cutter_.shape, vertex(i, 0), vertex(i, 1), vertex(i, 2));
+      cut(survivors_.any[i], first + survivors_.triangle[i], writer);
+    }
+  }
+
+  // Cuts the triangle in `padded_`.
+  HWY_NOINLINE void cut(unsigned any, std::size_t triangle, Writer& writer) const {
+    int count = cutter_.cut(padded_.vertex, any, writer.next, access_.tally());
+    if (count == kGiveUp) {
+      count = plain::cut(kMethod, volume_, cutter_.shape.attributes, padded_.vertex, writer.next);
+    }
+    writer.add(triangle, count);
+  }
+
+  const ClipVolume volume_;
+  const Cutter<kMethod, K, float> cutter_;
+  const OutputAccess access_;
+  Padded<Shape<K>> padded_;
+  Survivors survivors_;  // of a block
+};
 
 }  // namespace clipscope::batch::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -58,18 +58,21 @@ void with_kind(Method method, int attributes, F&& f) {
 }
 
 void copy(Method method, const ClipVolume& volume, const VertexArray& in, Output& out) {
-  with_kind(method, in.attributes,
-            [&]<class K>(K) { clip_copy<K::method, K::attributes>(volume, in, out); });
+  with_kind(method, in.attributes, [&]<class K>(K) {
+    Stage<K::method, K::attributes>(volume, in.attributes, out).copy(in);
+  });
 }
 
 void reference(Method method, const ClipVolume& volume, const TriangleStreams& in, Output& out) {
-  with_kind(method, in.attribute_count,
-            [&]<class K>(K) { clip_reference<K::method, K::attributes>(volume, in, out); });
+  with_kind(method, in.attribute_count, [&]<class K>(K) {
+    Stage<K::method, K::attributes>(volume, in.attribute_count, out).reference(in);
+  });
 }
 
 void indexed(Method method, const ClipVolume& volume, const IndexedMesh& in, Output& out) {
-  with_kind(method, in.vertices.attributes,
-            [&]<class K>(K) { clip_indexed<K::method, K::attributes>(volume, in, out); });
+  with_kind(method, in.vertices.attributes, [&]<class K>(K) {
+    Stage<K::method, K::attributes>(volume, in.vertices.attributes, out).indexed(in);
+  });
 }
 
 #endif

@@ -8,8 +8,12 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <random>
+#include <sstream>
+#include <utility>
 #include <vector>
 
+#include "experiments/catalogue/catalogue.hpp"
 #include "reference/exact_clip.hpp"
 #include "spaces/barycentric/exact_lines.hpp"
 #include "spaces/polygon.hpp"
@@ -133,6 +137,50 @@ Compared compare_with_reference(AnyCase (*make)(Random&),
     }
   }
   return r;
+}
+
+// A longer look, each time another one, at sets of cases that have a name and a `make`: prints what was
+// compared and which stage settled it.
+template <class Sets, class AnyCase>
+void compare_at_length(const Sets& sets, Rows (*clipped)(const AnyCase&, barycentric::CountStages&),
+                       ExactPolygon (*exact_polygon)(const AnyCase&)) {
+  const std::uint64_t seed = std::random_device{}();
+  INFO("seed " << seed);
+  std::int64_t total = 0;
+  for (const auto& set : sets) {
+    const Compared r = compare_with_reference(set.make, clipped, exact_polygon, 600000, seed);
+    total += r.coordinates;
+    std::ostringstream s;
+    s << set.name << ": " << r.coordinates << " coordinates; stages";
+    for (const std::int64_t n : r.stages.counts) s << ' ' << n;
+    WARN(s.str());
+  }
+  WARN(total << " coordinates");
+}
+
+// The polygon is the same one whichever vertex of the triangle is first, and backwards if two change places.
+template <class AnyCase>
+void check_that_no_vertex_is_first(AnyCase c, Rows (*clipped)(const AnyCase&)) {
+  const Rows r = clipped(c);
+  std::rotate(c.triangle.begin(), c.triangle.begin() + 1, c.triangle.end());
+  if (!same_cycle(r, clipped(c))) FAIL(describe(c));
+  std::swap(c.triangle[0], c.triangle[1]);
+  Rows back = clipped(c);
+  std::ranges::reverse(back);
+  if (!same_cycle(r, back)) FAIL("back: " << describe(c));
+}
+
+// What a hard case of the catalogue holds, in float.
+template <class AnyTriangle>
+void set_vertices(const experiments::HardCase& hard_case, AnyTriangle& triangle) {
+  for (std::size_t i = 0; i < triangle.size(); ++i) {
+    const InputVertex& v = hard_case.vertices[i];
+    auto& position = triangle[i].position;
+    for (int k = 0; k < position.length(); ++k) position[k] = static_cast<float>(v.position[k]);
+    for (int k = 0; k < kAttributes; ++k) {
+      triangle[i].attributes[k] = static_cast<float>(v.attributes[k]);
+    }
+  }
 }
 
 }  // namespace clipscope::reference

@@ -4,11 +4,8 @@
 #include "spaces/barycentric/correctly_rounded.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <iterator>
 #include <limits>
-#include <random>
-#include <sstream>
 #include <vector>
 
 #include "experiments/catalogue/catalogue.hpp"
@@ -59,34 +56,17 @@ TEST_CASE("correctly rounded: every bit is right in the catalogue of hard cases"
     }
     CAPTURE(hard_case.name);
     Case c{hard_case.volume, {}};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const InputVertex& v = hard_case.vertices[i];
-      for (int k = 0; k < 4; ++k) c.triangle[i].position[k] = static_cast<float>(v.position[k]);
-      for (int k = 0; k < kAttributes; ++k) {
-        c.triangle[i].attributes[k] = static_cast<float>(v.attributes[k]);
-      }
-    }
     if (c.volume.clip_distances > kAttributes) continue;
+    set_vertices(hard_case, c.triangle);
     CHECK(agrees(clipped(c), exact_polygon(c)));
     ++compared;
   }
   CHECK(compared > 50);
 }
 
-// Run by name, for a longer look, each time another one: prints what was compared and which stage settled it.
+// Run by name.
 TEST_CASE("correctly rounded: a long comparison", "[.long]") {
-  const std::uint64_t seed = std::random_device{}();
-  INFO("seed " << seed);
-  std::int64_t total = 0;
-  for (const CaseSet& set : kCaseSets) {
-    const Compared r = compare_with_reference(set.make, clipped, exact_polygon, 600000, seed);
-    total += r.coordinates;
-    std::ostringstream s;
-    s << set.name << ": " << r.coordinates << " coordinates; stages";
-    for (const std::int64_t n : r.stages.counts) s << ' ' << n;
-    WARN(s.str());
-  }
-  WARN(total << " coordinates");
+  compare_at_length(kCaseSets, clipped, exact_polygon);
 }
 
 ClipVertex<float, kAttributes> vertex(float x, float y, float z, float w, float a = 0, float b = 0,
@@ -208,14 +188,7 @@ TEST_CASE("correctly rounded: no vertex is the first") {
        {scattered, on_lattice, grazing, of_wide_exponents, subnormal, without_area}) {
     Random random(3);
     for (int i = 0; i < 2000; ++i) {
-      Case c = make(random);
-      const Rows r = clipped(c);
-      std::rotate(c.triangle.begin(), c.triangle.begin() + 1, c.triangle.end());
-      if (!same_cycle(r, clipped(c))) FAIL(describe(c));
-      std::swap(c.triangle[0], c.triangle[1]);
-      Rows back = clipped(c);
-      std::ranges::reverse(back);
-      if (!same_cycle(r, back)) FAIL("back: " << describe(c));
+      check_that_no_vertex_is_first(make(random), clipped);
     }
   }
 }

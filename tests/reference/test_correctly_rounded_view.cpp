@@ -4,11 +4,7 @@
 // once: every bit of every coordinate.
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
-#include <random>
 #include <span>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -59,20 +55,9 @@ TEST_CASE("correctly rounded: in view space every bit is that of the exact polyg
   }
 }
 
-// Run by name, for a longer look, each time another one: prints what was compared and which stage settled it.
+// Run by name.
 TEST_CASE("correctly rounded: a long comparison in view space", "[.long]") {
-  const std::uint64_t seed = std::random_device{}();
-  INFO("seed " << seed);
-  std::int64_t total = 0;
-  for (const ViewCaseSet& set : kViewCaseSets) {
-    const Compared r = compare_with_reference(set.make, clipped, exact_polygon, 600000, seed);
-    total += r.coordinates;
-    std::ostringstream s;
-    s << set.name << ": " << r.coordinates << " coordinates; stages";
-    for (const std::int64_t n : r.stages.counts) s << ' ' << n;
-    WARN(s.str());
-  }
-  WARN(total << " coordinates");
+  compare_at_length(kViewCaseSets, clipped, exact_polygon);
 }
 
 TEST_CASE("correctly rounded: every bit is right in the catalogue's view-space cases") {
@@ -84,13 +69,7 @@ TEST_CASE("correctly rounded: every bit is right in the catalogue's view-space c
     CAPTURE(hard_case.name);
     ViewCase c{frustum_cast<float>(hard_case.frustum), hard_case.volume, {}};
     if (c.volume.clip_distances > kAttributes || !is_valid(c.frustum)) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const InputVertex& v = hard_case.vertices[i];
-      for (int k = 0; k < 3; ++k) c.triangle[i].position[k] = static_cast<float>(v.position[k]);
-      for (int k = 0; k < kAttributes; ++k) {
-        c.triangle[i].attributes[k] = static_cast<float>(v.attributes[k]);
-      }
-    }
+    set_vertices(hard_case, c.triangle);
     CHECK(agrees(clipped(c), exact_polygon(c)));
     ++compared;
   }
@@ -241,14 +220,7 @@ TEST_CASE("correctly rounded: in view space no vertex is the first") {
   for (const ViewCaseSet& set : kViewCaseSets) {
     Random random(3);
     for (int i = 0; i < 2000; ++i) {
-      ViewCase c = set.make(random);
-      const Rows r = clipped(c);
-      std::rotate(c.triangle.begin(), c.triangle.begin() + 1, c.triangle.end());
-      if (!same_cycle(r, clipped(c))) FAIL(describe(c));
-      std::swap(c.triangle[0], c.triangle[1]);
-      Rows back = clipped(c);
-      std::ranges::reverse(back);
-      if (!same_cycle(r, back)) FAIL("back: " << describe(c));
+      check_that_no_vertex_is_first(set.make(random), clipped);
     }
   }
 }

@@ -6,6 +6,7 @@
 //   view                             cut in view space, then projected
 //   homogeneous                      projected in float
 //   homogeneous_double, barycentric  projected, cut and divided in double; rounded to float at the end
+//   correctly_rounded                see full_rounded-inl.hpp
 #if defined(CLIPSCOPE_BATCH_FULL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_FULL_INL
 #undef CLIPSCOPE_BATCH_FULL_INL
@@ -31,17 +32,20 @@ class ProjectionLanes {
         z_weight_{p.x.z, p.y.z, 0, 0},
         one_{p.x.one, p.y.one, p.z.one, p.w.one} {}
 
-  // Four floats have to be readable.
-  HWY_INLINE void project(const float* v, V* out) const {
+  // Four floats have to be readable. magnitude, if wanted: the sums of the magnitudes of the terms.
+  HWY_INLINE void project(const float* v, V* out, V* magnitude = nullptr) const {
     const auto p = hn::LoadU(kD4, v), z = hn::Broadcast<2>(p);
     HWY_ALIGN float point[4];
     hn::Store(hn::IfThenElse(hn::FirstN(kD4, 3), p, z), kD4, point);
     const D d;
     const auto vz = hn::Set(d, static_cast<V>(hn::GetLane(z)));
     for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
-      const auto sum = hn::Add(hn::Mul(hn::Load(d, own_ + i), load(d, point + i)),
-                               hn::Mul(hn::Load(d, z_weight_ + i), vz));
-      hn::StoreU(hn::Add(sum, hn::Load(d, one_ + i)), d, out + i);
+      const auto own = hn::Mul(hn::Load(d, own_ + i), load(d, point + i)),
+                 of_z = hn::Mul(hn::Load(d, z_weight_ + i), vz), one = hn::Load(d, one_ + i);
+      hn::StoreU(hn::Add(hn::Add(own, of_z), one), d, out + i);
+      if (magnitude != nullptr) {
+        hn::StoreU(hn::Add(hn::Add(hn::Abs(own), hn::Abs(of_z)), hn::Abs(one)), d, magnitude + i);
+      }
     }
   }
 

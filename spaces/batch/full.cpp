@@ -14,7 +14,7 @@
 #define CLIPSCOPE_BATCH_HAS_SIMD (HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128)
 
 #if CLIPSCOPE_BATCH_HAS_SIMD
-#include "spaces/batch/full-inl.hpp"
+#include "spaces/batch/full_rounded-inl.hpp"
 #endif
 
 HWY_BEFORE_NAMESPACE();
@@ -32,12 +32,18 @@ void full_with(Method method, const Projection<float>& projection, const ViewVer
     case Method::homogeneous_double:
       return FullClipper<Method::homogeneous_double, K>(projection, n)(in, out);
     case Method::barycentric: return FullClipper<Method::barycentric, K>(projection, n)(in, out);
-    case Method::correctly_rounded: return plain::full(method, projection, in, out);
+    case Method::correctly_rounded: return FullRoundedClipper<K>(projection, n)(in, out);
   }
+}
+
+// Distances to the planes of a sheared volume are not exact in double.
+bool needs_plain(Method method, const Frustum<float>& f) {
+  return method == Method::correctly_rounded && (f.shear_x != 0 || f.shear_y != 0);
 }
 
 void full(Method method, const Projection<float>& projection, const ViewVertexArray& in,
           Output& out) {
+  if (needs_plain(method, projection.frustum)) return plain::full(method, projection, in, out);
   if (in.attributes == 4) return full_with<4>(method, projection, in, out);
   full_with<kRunTime>(method, projection, in, out);
 }

@@ -62,6 +62,14 @@ class ExactSides {
   HWY_ALIGN double own_[8] = {}, z_weight_[8] = {}, constant_[8] = {};
 };
 
+// The places of a triangle's vertices that one plane cuts in the order of the plain version: of kApex's first, of
+// its c if that is inside, and of the cuts of apex-b and apex-c. By the mask of outside vertices, 1 to 6.
+struct Places {
+  std::uint8_t first, c, cut_b, cut_c;
+};
+inline constexpr Places kPlaces[7] = {{},           {1, 2, 0, 3}, {3, 0, 2, 1}, {1, 0, 2, 0},
+                                      {0, 1, 3, 2}, {1, 0, 2, 0}, {0, 0, 1, 2}};
+
 template <int K>
 class FullRoundedClipper {
  public:
@@ -165,16 +173,20 @@ class FullRoundedClipper {
                          distance<double>(cut.plane, vertex[1]),
                          distance<double>(cut.plane, vertex[2])};
     if (d[0] == 0 || d[1] == 0 || d[2] == 0) return kGiveUp;  // a vertex on the plane
-    const Apex& order = kApex[outside_mask(d)];
-    bool certain = write_own(vertex[order.first], points[order.first], out, 0);
-    if (order.size == 4) certain = write_own(vertex[order.c], points[order.c], out, 1) && certain;
+    const unsigned outside = outside_mask(d);
+    const Apex& order = kApex[outside];
+    const Places& places = kPlaces[outside];
+    bool certain = write_own(vertex[order.first], points[order.first], out, places.first);
+    if (order.size == 4) {
+      certain = write_own(vertex[order.c], points[order.c], out, places.c) && certain;
+    }
     const auto write = [&](int end, int place) {
       const int apex = order.apex;
       return write_mean(std::abs(d[end]), vertex[apex], points[apex], std::abs(d[apex]),
                         vertex[end], points[end], cut, out + place * stride_out());
     };
-    certain = write(order.b, order.place_of_b) && certain;
-    certain = write(order.c, 2) && certain;
+    certain = write(order.b, places.cut_b) && certain;
+    certain = write(order.c, places.cut_c) && certain;
     return certain ? order.size : kGiveUp;
   }
 

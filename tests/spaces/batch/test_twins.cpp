@@ -150,6 +150,8 @@ TEST_CASE("batch: what no plane or one cuts is rounded correctly without the pla
           Output simd;
           clip(Method::correctly_rounded, projection, input, simd);
           CHECK(first_difference(plain, simd) == std::nullopt);
+          CHECK(
+              std::ranges::equal(plain.vertices(), simd.vertices(), same_bits));  // the order, too
           const Tally& tally = simd.tally();
           const bool is_plain = frustum.shear_x != 0 || target_name() == "SCALAR";
           if (is_plain) return;

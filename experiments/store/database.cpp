@@ -118,6 +118,16 @@ DatabasePointer open_database(const std::filesystem::path& file) {
   return database;
 }
 
+bool is_blank_database(const std::filesystem::path& file) {
+  try {
+    SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
+    set_up(database);
+    return database.execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
+  } catch (const SQLite::Exception&) {
+    return false;
+  }
+}
+
 std::string reason_of(const SQLite::Database& database, const SQLite::Exception& error) {
   std::string text = fmt::format("{}: {}", database.getFilename(), error.what());
   switch (error.getErrorCode()) {

@@ -25,6 +25,10 @@ DatabasePointer create_database(const std::filesystem::path& file, const RunInfo
 // Errors: InputError if there is none, it is no store, or one of another version.
 DatabasePointer open_database(const std::filesystem::path& file);
 
+// Whether a database has nothing in it once what a killed writer left half-written is undone: all that there is
+// of a run that was killed while it wrote its first transaction. Of a file that is no database: false.
+bool is_blank_database(const std::filesystem::path& file);
+
 // What went wrong with the file, with the reason of the operating system if it has one:
 // "results/results.sqlite: disk I/O error (File too large)".
 std::string reason_of(const SQLite::Database& database, const SQLite::Exception& error);

@@ -20,11 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A run that was killed before its first transaction leaves an empty file.
+// A run that was killed before the end of its first transaction leaves an empty file, or one that is empty
+// again when that is undone.
 bool is_there(const fs::path& file) {
   std::error_code error;
   const auto size = fs::file_size(file, error);
-  return !error && size > 0;
+  return !error && size > 0 && !is_blank_database(file);
 }
 
 // When the store was started; if it can't be read, when the file was last written.

@@ -94,6 +94,21 @@ TEST_CASE("resume: a run killed at random moments ends in the tables of one that
           .code == 0);
 }
 
+TEST_CASE("resume: a run killed in its first transaction has left nothing, and is begun anew") {
+  const Folder folder;
+  const fs::path results = folder.path() / "results";
+  fs::create_directories(results);
+  // Pages without a table: what SQLite makes of such a file when it undoes the transaction.
+  SQLite::Database((results / "results.sqlite").string(),
+                   SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+      .exec("CREATE TABLE t(x); DROP TABLE t");
+  REQUIRE(fs::file_size(results / "results.sqlite") > 0);
+  const Result r = folder.run(kRun + out(results) + (GENERATE(false, true) ? " --resume" : ""));
+  INFO(r.err);
+  REQUIRE(r.code == 0);
+  CHECK(cells_in(results) == 3);
+}
+
 TEST_CASE("resume: what is stored is not computed again") {
   const Folder folder;
   const fs::path results = folder.path() / "results";

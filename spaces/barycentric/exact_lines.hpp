@@ -216,8 +216,9 @@ inline Divisor divisor(const Meeting& m, const Values& denominator) {
   return {denominator, d, reciprocal, d.error * reciprocal + kQuotientRoundings};
 }
 
-// numerator / (divisor times scale), rounded; where it lies between two floats that doubles can't tell apart,
-// exact(low, high) does. 0 is +0; what rounds to 0 from below is -0. inverse_scale is 1 / scale in double, of a scale rounded once, or 1.
+// numerator / (divisor times scale), rounded; exact(low, high) does that where the ends of its interval, from
+// doubles, round to different floats. 0 is +0; what rounds to 0 from below is -0. inverse_scale is
+// 1 / scale in double, of a scale rounded once, or 1.
 //
 // With n, d and their bounds En, Ed the quotient is within (En + |n/d| Ed) / (d - Ed) of n/d; it is
 // Ed < 2^-20 d. kQuotientRoundings |q| = 8 u |q| covers the roundings of the scale, the two

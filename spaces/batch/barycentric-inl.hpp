@@ -30,6 +30,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
 
+inline constexpr double kEdgeError = 16 * 0x1p-53;  // of the lemma
+
 // A triangle that one plane cuts has one vertex, the apex, alone on its side: both edges that are cut meet
 // there. Polygon: apex, cut of apex-b, cut of apex-c if the apex is inside, else b, c, cut of apex-c, cut
 // of apex-b. Looked up, since a branch would be mispredicted half of the time.
@@ -93,8 +95,6 @@ struct FromOriginals {
   }
 
  private:
-  static constexpr double kEdgeError = 16 * 0x1p-53;  // of the lemma
-
   // Lines 0 to 2 are the triangle's edges, each opposite to its vertex, the others planes, 3 and on in the
   // order of `kAllPlanes`.
   const CodePlane& plane_of(int line) const { return planes[line - 3]; }

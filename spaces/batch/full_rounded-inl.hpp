@@ -78,12 +78,10 @@ class FullRoundedClipper {
         attributes_(K == kRunTime ? static_cast<std::size_t>(attributes) : K),
         sides_(projection.frustum),
         lanes_(Projection<double>(frustum_cast<double>(projection.frustum))) {
-    constexpr Plane kOrder[] = {Plane::left, Plane::right, Plane::bottom,
-                                Plane::top,  Plane::near,  Plane::far};
-    const auto planes = view_code_planes(projection.frustum);  // in that order
+    const auto planes = view_code_planes(projection.frustum);  // in the order of `kAllPlanes`
     for (std::size_t i = 0; i < kPlanes; ++i) {
       cuts_[planes[i].bit] = {planes[i],
-                              barycentric::plane_form(projection.volume.depth, kOrder[i])};
+                              barycentric::plane_form(projection.volume.depth, kAllPlanes[i])};
     }
   }
 
@@ -153,7 +151,9 @@ class FullRoundedClipper {
     }
     if (any != 0) return cut(vertex, points, cuts_[std::countr_zero(any)], out);
     bool certain = true;
-    for (int i = 0; i < 3; ++i) certain = write_own(vertex[i], points[i], out, i) && certain;
+    for (int i = 0; i < 3; ++i) {
+      certain = write_own(vertex[i], points[i], out + i * stride_out()) && certain;
+    }
     return certain ? 3 : kGiveUp;
   }
 
@@ -176,14 +176,15 @@ class FullRoundedClipper {
     const unsigned outside = outside_mask(d);
     const Apex& order = kApex[outside];
     const Places& places = kPlaces[outside];
-    bool certain = write_own(vertex[order.first], points[order.first], out, places.first);
+    const auto at = [&](int place) { return out + place * stride_out(); };
+    bool certain = write_own(vertex[order.first], points[order.first], at(places.first));
     if (order.size == 4) {
-      certain = write_own(vertex[order.c], points[order.c], out, places.c) && certain;
+      certain = write_own(vertex[order.c], points[order.c], at(places.c)) && certain;
     }
     const auto write = [&](int end, int place) {
       const int apex = order.apex;
       return write_mean(std::abs(d[end]), vertex[apex], points[apex], std::abs(d[apex]),
-                        vertex[end], points[end], cut, out + place * stride_out());
+                        vertex[end], points[end], cut, at(place));
     };
     certain = write(order.b, places.cut_b) && certain;
     certain = write(order.c, places.cut_c) && certain;
@@ -201,10 +202,8 @@ class FullRoundedClipper {
     return hn::AllTrue(du, hn::Eq(hn::BitCast(du, a), hn::BitCast(du, b)));
   }
 
-  // The own vertex at that place of the output.
-  HWY_INLINE bool write_own(const float* vertex, const Point& p, float* out, int place) const {
+  HWY_INLINE bool write_own(const float* vertex, const Point& p, float* out) const {
     const D d;
-    out += place * stride_out();
     const double reciprocal = 1 / p.clip[3];
     const auto one = hn::Set(d, 1.0), by = hn::Set(d, reciprocal),
                weight = hn::Set(d, 16 * 0x1p-53 * reciprocal);
@@ -257,7 +256,7 @@ class FullRoundedClipper {
     bool certain = true;
     for (std::size_t k = 0; k < attributes_; ++k) {
       const double v_a = a[k], v_b = b[k], q = (l_a * v_a + l_b * v_b) * reciprocal,
-                   error = std::max(std::abs(v_a), std::abs(v_b)) * (16 * 0x1p-53);
+                   error = std::max(std::abs(v_a), std::abs(v_b)) * kEdgeError;
       const float low = static_cast<float>(q - error), high = static_cast<float>(q + error);
       out[k] = low;
       certain &= std::bit_cast<std::uint32_t>(low) == std::bit_cast<std::uint32_t>(high);

@@ -160,8 +160,8 @@ HWY_INLINE void prefetch_floats(const float* p, std::size_t count) {
 }
 
 // The numbers first, first + 1, … of the lanes that are set; returns where the next number goes. Where an
-// instruction does not do it, Highway looks a permutation up in a table that GCC copies to the stack each
-// time, 1 KB: this takes a quarter of that.
+// instruction does not do it, Highway looks a permutation up in a table of 1 KB, which GCC copies to the
+// stack each time.
 template <class D>
 HWY_INLINE std::uint32_t* append_numbers(D d, std::size_t first, hn::Mask<D> lanes,
                                          std::uint32_t* to) {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kStreams = 12;          // of the positions of triangles
 constexpr std::size_t kLine = 64;             // bytes of a cache line
+constexpr std::size_t kParts = 4;             // of an array, read side by side
 constexpr std::size_t kBlockBytes = 1 << 18;  // that copies are written to, again and again
 
 // As wide as the build's registers, or in parts.
@@ -47,13 +48,22 @@ void add_line(const std::byte* line, Words& sum) {
 
 std::uint64_t total(const Words& sum) { return sum[0] + sum[1] + sum[2] + sum[3]; }
 
-std::uint64_t read_one(Bytes bytes) {
-  Words even{}, odd{};
-  for (std::size_t i = 0; i + 2 * kLine <= bytes.size(); i += 2 * kLine) {
-    add_line(bytes.data() + i, even);
-    add_line(bytes.data() + i + kLine, odd);
+// f(part, line, its offset in the part) for each line of an array's parts in turn.
+template <class F>
+void for_each_line(Bytes bytes, F&& f) {
+  const std::size_t size = bytes.size() / kParts / kLine * kLine;
+  for (std::size_t i = 0; i < size; i += kLine) {
+#pragma GCC unroll 4
+    for (std::size_t part = 0; part < kParts; ++part) f(part, bytes.data() + part * size + i, i);
   }
-  return total(even) + total(odd);
+}
+
+std::uint64_t read_one(Bytes bytes) {
+  std::array<Words, kParts> sums{};
+  for_each_line(bytes, [&](std::size_t part, const std::byte* line, std::size_t) {
+    add_line(line, sums[part]);
+  });
+  return total(sums[0]) + total(sums[1]) + total(sums[2]) + total(sums[3]);
 }
 
 // Line by line in turn, as a clipper that takes some triangles at once does, each stream by instructions of its
@@ -69,11 +79,12 @@ std::uint64_t read_side_by_side(const std::vector<Bytes>& streams) {
   return total(sum);
 }
 
-// Block by block to where the last one went; a byte of it.
+// Each part to a part of the block, again and again; a byte of it.
 std::uint64_t copy_one(Bytes bytes, std::vector<std::byte>& block) {
-  for (std::size_t i = 0; i < bytes.size(); i += block.size()) {
-    std::memcpy(block.data(), bytes.data() + i, std::min(block.size(), bytes.size() - i));
-  }
+  constexpr std::size_t kSize = kBlockBytes / kParts;
+  for_each_line(bytes, [&](std::size_t part, const std::byte* line, std::size_t at) {
+    std::memcpy(block.data() + part * kSize + at % kSize, line, kLine);
+  });
   return static_cast<std::uint64_t>(block[block.size() / 2]);
 }
 

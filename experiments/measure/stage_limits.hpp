@@ -4,10 +4,10 @@
 //
 //   read positions   the twelve streams of a soup
 //   read everything  all vertices; of a mesh its vertices and indices
-//   copy everything  the same, written block by block to a buffer that stays in cache, as answers do
+//   copy everything  the same, written again and again to a buffer that stays in cache, as answers do
 //
-// Own loops and memcpy, nothing computed but a sum that keeps the reads. Streams are read side by side, which
-// keeps more of memory busy than one after the other.
+// Own loops, nothing computed but a sum that keeps the reads. Streams, and the quarters of one array, are read
+// side by side: that keeps more of memory busy than one after the other.
 #pragma once
 
 #include <array>

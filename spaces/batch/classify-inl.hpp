@@ -161,6 +161,18 @@ HWY_INLINE void classify_block(const Limits& limits, const V* v, std::size_t str
   }
 }
 
+// Blocks that follow each other, a triangle of each in turn.
+template <class Limits, class V>
+HWY_INLINE void classify_blocks(const Limits& limits, const V* v, std::size_t stride,
+                                std::array<Survivors, kBlocksAtOnce>& out) {
+  for (Survivors& s : out) s.count = 0;
+  for (std::size_t t = 0; t < kBlock; ++t) {
+    for (std::size_t b = 0; b < kBlocksAtOnce; ++b) {
+      out[b].add(t, triangle_codes(limits, v + 3 * (b * kBlock + t) * stride, stride));
+    }
+  }
+}
+
 }  // namespace clipscope::batch::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -13,8 +13,11 @@
 
 namespace clipscope::batch {
 
-// Triangles are classified, then cut, in blocks: what a block reads and writes stays in the first cache.
+// Triangles are classified, then cut, in blocks: what some blocks read and write stays in cache.
 inline constexpr std::size_t kBlock = 256;
+
+// From so many blocks triangles are read in turn: to several streams memory delivers more than to one.
+inline constexpr std::size_t kBlocksAtOnce = 4;
 
 // Room that is kept free behind the last vertex, since whole vectors are stored.
 inline constexpr std::size_t kSlack = 64;

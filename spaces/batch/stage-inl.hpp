@@ -169,6 +169,11 @@ HWY_INLINE std::uint32_t* append_numbers(D d, std::size_t first, hn::Mask<D> lan
     const auto numbers = hn::Iota(d, static_cast<std::uint32_t>(first));
     return to + hn::CompressStore(numbers, lanes, d, to);
   } else {
+    if (hn::AllTrue(d, lanes)) {  // as often with neighbours in a mesh
+      const auto from = hn::Set(d, static_cast<std::uint32_t>(first));
+      hn::StoreU(hn::Add(hn::Iota(d, 0), from), d, to);
+      return to + hn::Lanes(d);
+    }
     const unsigned bits = mask_bits(d, lanes);
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
       *to = static_cast<std::uint32_t>(first + lane);
@@ -230,14 +235,18 @@ HWY_INLINE Codes codes_of(const ClipLimits& limits, const float* const vertex[3]
   return {a & b & c, a | b | c};
 }
 
-// Codes of all vertices of a mesh.
+// Codes of all vertices of a mesh, one of each part in turn.
 template <int K>
 HWY_INLINE void classify_vertices(const Shape<K>& shape, const ClipLimits& limits,
                                   const VertexArray& in, std::uint8_t* codes) {
-  const float* v = in.data;
-  for (std::size_t i = 0; i < in.count; ++i, v += shape.floats()) {
-    codes[i] = static_cast<std::uint8_t>(vertex_code(limits, v));
+  const auto classify = [&](std::size_t i) {
+    codes[i] = static_cast<std::uint8_t>(vertex_code(limits, in.data + i * shape.floats()));
+  };
+  const std::size_t part = in.count / kBlocksAtOnce, parts = kBlocksAtOnce * part;
+  for (std::size_t i = 0; i < part; ++i) {
+    for (std::size_t first = 0; first < parts; first += part) classify(first + i);
   }
+  for (std::size_t i = parts; i < in.count; ++i) classify(i);
 }
 
 // The stage in its contracts, one call of one of them: the cutter with the plain version behind it, and what
@@ -251,26 +260,20 @@ class Stage {
   }
 
   void copy(const VertexArray& in) {
-    const std::size_t stride = cutter_.shape.floats();
-    for_each_block(in.count / 3, [&](std::size_t first, std::size_t count) {
-      const float* block = in.data + first * 3 * stride;
-      classify_block(cutter_.limits, block, stride, count, survivors_);
-      Writer writer = access_.block(survivors_.count);
-      access_.tally().rejected += count - survivors_.count;
-      for (std::size_t i = 0; i < survivors_.count; ++i) {
-        const std::size_t t = survivors_.triangle[i];
-        const float* v = block + 3 * t * stride;
-        if (survivors_.any[i] == 0) {
-          copy_triangle(cutter_.shape, v, writer.next);
-          writer.add(first + t, 3);
-          ++access_.tally().inside;
-        } else {
-          padded_.set(cutter_.shape, v, v + stride, v + 2 * stride);
-          cut(survivors_.any[i], first + t, writer);
-        }
+    const std::size_t stride = cutter_.shape.floats(), triangles = in.count / 3;
+    std::size_t first = 0;
+    while (first + kBlocksAtOnce * kBlock <= triangles) {
+      classify_blocks(cutter_.limits, in.data + first * 3 * stride, stride, at_once_);
+      for (const Survivors& survivors : at_once_) {
+        copy_block(in.data, first, kBlock, survivors);
+        first += kBlock;
       }
-      access_.commit(writer);
-    });
+    }
+    for (; first < triangles; first += kBlock) {
+      const std::size_t count = std::min(kBlock, triangles - first);
+      classify_block(cutter_.limits, in.data + first * 3 * stride, stride, count, survivors_);
+      copy_block(in.data, first, count, survivors_);
+    }
   }
 
   void reference(const TriangleStreams& in) {
@@ -328,6 +331,28 @@ class Stage {
     }
   }
 
+  // Triangles [first, first + count), as classified.
+  HWY_INLINE void copy_block(const float* vertices, std::size_t first, std::size_t count,
+                             const Survivors& survivors) {
+    const std::size_t stride = cutter_.shape.floats();
+    const float* const block = vertices + first * 3 * stride;
+    Writer writer = access_.block(survivors.count);
+    access_.tally().rejected += count - survivors.count;
+    for (std::size_t i = 0; i < survivors.count; ++i) {
+      const std::size_t t = survivors.triangle[i];
+      const float* v = block + 3 * t * stride;
+      if (survivors.any[i] == 0) {
+        copy_triangle(cutter_.shape, v, writer.next);
+        writer.add(first + t, 3);
+        ++access_.tally().inside;
+      } else {
+        padded_.set(cutter_.shape, v, v + stride, v + 2 * stride);
+        cut(survivors.any[i], first + t, writer);
+      }
+    }
+    access_.commit(writer);
+  }
+
   // The triangles of a block that need no cut. inside: where the writer's numbers began.
   HWY_INLINE void count_uncut(std::size_t triangles, const std::uint32_t* inside,
                               const Writer& writer) const {
@@ -368,7 +393,8 @@ class Stage {
   const Cutter<kMethod, K, float> cutter_;
   const OutputAccess access_;
   Padded<Shape<K>> padded_;
-  Survivors survivors_;  // of a block
+  Survivors survivors_;                           // of a block
+  std::array<Survivors, kBlocksAtOnce> at_once_;  // of some blocks
 };
 
 }  // namespace clipscope::batch::HWY_NAMESPACE

@@ -130,7 +130,7 @@ class Output {
   std::vector<std::uint32_t> inside_;
   std::vector<PolygonEnd> polygons_;
   std::vector<float> vertices_;
-  std::vector<std::uint8_t> codes_;  // of the vertices of a mesh
+  std::vector<std::uint16_t> codes_;  // of the vertices of a mesh
   std::size_t inside_count_ = 0, polygon_count_ = 0, vertex_count_ = 0, stride_ = 4;
   Tally tally_;
 };

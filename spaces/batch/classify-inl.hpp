@@ -105,6 +105,15 @@ HWY_INLINE unsigned vertex_code(const ClipLimits& limits, const double* v) {
          set(v[1] < -w, 5) | set(v[2] < lowest_z, 6) | set(!(w > 0), 7);
 }
 
+// A code with its complement above it. Those of three vertices, or'ed, have the bits that some vertex has
+// and, above, those that some vertex has not.
+HWY_INLINE std::uint16_t with_complement(unsigned code) {
+  return static_cast<std::uint16_t>(code | (~code & 0xFF) << 8);
+}
+inline constexpr std::uint32_t kInsideCodes = 0xFF00;  // of three vertices inside
+inline constexpr std::uint32_t kSurvivingCodes = kPlaneBits
+                                                 << 8;  // of survivors: all of these bits
+
 // Of three vertices: `all` has the bits that all of them have, `any` those that some have.
 struct Codes {
   unsigned all, any;

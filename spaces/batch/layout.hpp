@@ -65,7 +65,7 @@ struct OutputAccess {
     out.polygon_count_ = static_cast<std::size_t>(w.polygons - out.polygons_.data());
     out.inside_count_ = static_cast<std::size_t>(w.inside - out.inside_.data());
   }
-  std::uint8_t* codes(std::size_t count) const {
+  std::uint16_t* codes(std::size_t count) const {
     grow(out.codes_, count);
     return out.codes_.data();
   }

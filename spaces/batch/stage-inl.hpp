@@ -235,19 +235,66 @@ HWY_INLINE Codes codes_of(const ClipLimits& limits, const float* const vertex[3]
   return {a & b & c, a | b | c};
 }
 
-// Codes of all vertices of a mesh, one of each part in turn.
+// f(i) for each i below count, one of each part in turn.
+template <class F>
+HWY_INLINE void for_parts_in_turn(std::size_t count, F&& f) {
+  const std::size_t part = count / kBlocksAtOnce, parts = kBlocksAtOnce * part;
+  for (std::size_t i = 0; i < part; ++i) {
+    for (std::size_t p = 0; p < kBlocksAtOnce; ++p) f(p * part + i);
+  }
+  for (std::size_t i = parts; i < count; ++i) f(i);
+}
+
+// Codes of all vertices of a mesh, with their complements.
 template <int K>
 HWY_INLINE void classify_vertices(const Shape<K>& shape, const ClipLimits& limits,
-                                  const VertexArray& in, std::uint8_t* codes) {
-  const auto classify = [&](std::size_t i) {
-    codes[i] = static_cast<std::uint8_t>(vertex_code(limits, in.data + i * shape.floats()));
-  };
-  const std::size_t part = in.count / kBlocksAtOnce, parts = kBlocksAtOnce * part;
-  for (std::size_t i = 0; i < part; ++i) {
-    for (std::size_t first = 0; first < parts; first += part) classify(first + i);
-  }
-  for (std::size_t i = parts; i < in.count; ++i) classify(i);
+                                  const VertexArray& in, std::uint16_t* codes) {
+  for_parts_in_turn(in.count, [&](std::size_t i) {
+    codes[i] = with_complement(vertex_code(limits, in.data + i * shape.floats()));
+  });
 }
+
+// Some blocks of a mesh's triangles.
+class MeshBlocks {
+ public:
+  static constexpr std::size_t kSize = kBlocksAtOnce * kBlock;
+
+  // codes: those of the vertices; indices: three per triangle.
+  HWY_INLINE void classify(const std::uint16_t* codes, std::span<const std::uint32_t> indices) {
+    const std::size_t count = indices.size() / 3;
+    for_parts_in_turn(count, [&](std::size_t t) {
+      const std::uint32_t* const i = indices.data() + 3 * t;
+      codes_[t] = static_cast<std::uint32_t>(codes[i[0]] | codes[i[1]] | codes[i[2]]);
+    });
+    std::fill_n(codes_ + count, kRoom, 0);  // rejected
+  }
+
+  // Of a block's triangles, the first of which is `first` here and `number` in the mesh: numbers of those
+  // inside go to the writer, others that survive to the list.
+  HWY_INLINE void sort(std::size_t first, std::size_t count, std::size_t number, Writer& writer,
+                       Survivors& out) const {
+    const hn::ScalableTag<std::uint32_t> d;
+    const auto surviving = hn::Set(d, kSurvivingCodes);
+    for (std::size_t t = 0; t < count; t += hn::Lanes(d)) {
+      const std::uint32_t* const at = codes_ + first + t;
+      const auto codes = hn::LoadU(d, at);
+      const auto survives = hn::Eq(hn::And(codes, surviving), surviving);
+      if (hn::AllFalse(d, survives)) continue;
+      const auto inside = hn::Eq(codes, hn::Set(d, kInsideCodes));
+      writer.inside = append_numbers(d, number + t, inside, writer.inside);
+      for (unsigned rest = mask_bits(d, hn::AndNot(inside, survives)); rest != 0;
+           rest &= rest - 1) {
+        const int lane = std::countr_zero(rest);
+        out.triangle[out.count] = static_cast<std::uint16_t>(t + static_cast<std::size_t>(lane));
+        out.any[out.count++] = static_cast<std::uint8_t>(at[lane]);
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kRoom = 16;  // that whole vectors are read in
+  std::uint32_t codes_[kSize + kRoom];
+};
 
 // The stage in its contracts, one call of one of them: the cutter with the plain version behind it, and what
 // a block of triangles needs.
@@ -301,26 +348,24 @@ class Stage {
   }
 
   void indexed(const IndexedMesh& mesh) {
-    std::uint8_t* const codes = access_.codes(mesh.vertices.count);
+    std::uint16_t* const codes = access_.codes(mesh.vertices.count);
     classify_vertices(cutter_.shape, cutter_.limits, mesh.vertices, codes);
-    for_each_block(mesh.indices.size() / 3, [&](std::size_t first, std::size_t count) {
-      const std::uint32_t* const indices = mesh.indices.data() + 3 * first;
-      Writer writer = access_.block(count);
-      const std::uint32_t* const inside = writer.inside;
-      survivors_.count = 0;
-      for (std::size_t t = 0; t < count; ++t) {
-        const unsigned a = codes[indices[3 * t]], b = codes[indices[3 * t + 1]],
-                       c = codes[indices[3 * t + 2]], any = a | b | c;
-        *writer.inside = static_cast<std::uint32_t>(first + t);
-        writer.inside += any == 0;
-        survivors_.triangle[survivors_.count] = static_cast<std::uint16_t>(t);
-        survivors_.any[survivors_.count] = static_cast<std::uint8_t>(any);
-        survivors_.count += any != 0 && (a & b & c & kPlaneBits) == 0;
-      }
-      count_uncut(count, inside, writer);
-      cut_survivors(mesh.vertices.data, indices, first, writer);
-      access_.commit(writer);
-    });
+    const std::size_t triangles = mesh.indices.size() / 3;
+    MeshBlocks blocks;
+    for (std::size_t first = 0; first < triangles; first += MeshBlocks::kSize) {
+      const std::size_t count = std::min(MeshBlocks::kSize, triangles - first);
+      const auto indices = mesh.indices.subspan(3 * first, 3 * count);
+      blocks.classify(codes, indices);
+      for_each_block(count, [&](std::size_t begin, std::size_t size) {
+        Writer writer = access_.block(size);
+        const std::uint32_t* const inside = writer.inside;
+        survivors_.count = 0;
+        blocks.sort(begin, size, first + begin, writer, survivors_);
+        count_uncut(size, inside, writer);
+        cut_survivors(mesh.vertices.data, indices.data() + 3 * begin, first + begin, writer);
+        access_.commit(writer);
+      });
+    }
   }
 
  private:

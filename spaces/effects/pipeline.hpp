@@ -152,19 +152,18 @@ constexpr Vec4<T> to_planned_ndc(const Vec4<T>& v) {
 
 // The way of a triangle that is cut, the same for all compositions: what could be left out here is left
 // out afterwards, so that an overflow on the way drops the triangle as it does in the full pipeline.
-// kCarried: the number of attributes that are interpolated, all or none.
+// kCarried: the number of attributes that are interpolated, all or none. Pre-condition: `out` is empty.
 template <int kCarried, Scalar T, int K>
-constexpr void cut_triangle(const Projection<T>& projection, Outcode planes,
+constexpr void cut_triangle(DepthRange depth, Outcode planes,
+                            const std::array<Vec4<T>, 3>& positions,
                             const ViewTriangle<T, K>& triangle, NdcPolygon<T, K>& out) {
-  out.clear();
   ClipPolygon<T, kCarried> polygon, scratch;
-  for (const ViewVertex<T, K>& v : triangle) {
-    ClipVertex<T, kCarried> r{to_clip(projection, v.position), {}};
-    if constexpr (kCarried == K) r.attributes = v.attributes;
+  for (std::size_t i = 0; i < 3; ++i) {
+    ClipVertex<T, kCarried> r{positions[i], {}};
+    if constexpr (kCarried == K) r.attributes = triangle[i].attributes;
     if (!has_finite_position(r)) return;
     polygon.push_back(r);
   }
-  const DepthRange depth = projection.volume.depth;
   const ClipPolygon<T, kCarried>& rest =
       cut_by_planes(polygon, scratch, planes, kPlaneOrder<PlaneOrder::near_first>,
                     [depth](Plane plane, const ClipVertex<T, kCarried>& v) {
@@ -216,7 +215,7 @@ constexpr void test_and_clip(const Projection<T>& projection, [[maybe_unused]] O
     const Outcode crossed = (codes[0] | codes[1] | codes[2]) & cutting;
     if (crossed != 0) {
       constexpr int kCarried = kC.cuts == Composition::Cuts::interpolated ? K : 0;
-      cut_triangle<kCarried>(projection, crossed, triangle, out);
+      cut_triangle<kCarried>(volume.depth, crossed, positions, triangle, out);
       leave_out<kC>(out);
       return;
     }

@@ -50,6 +50,134 @@ inline constexpr Apex kApex[7] = {{},
                                   {1, 2, 0, 1, 1, 3},
                                   {0, 1, 2, 0, 1, 3}};
 
+// What is left of a triangle that several planes cut: corners, in order. Lines 0 to 2 are the triangle's edges,
+// each opposite to its vertex, the others planes, 3 and on, as they are listed. kFromFirst: the polygon begins
+// where the scalar clipper's does, which goes round from the first corner.
+template <bool kCertain, bool kFromFirst = false>
+class Corners {
+ public:
+  // lambda = line `from` x line `to`, see `barycentric::meet`.
+  struct Corner {
+    double lambda[3], magnitude[3];
+    std::uint8_t from, to;
+  };
+
+  Corners() {
+    static constexpr Corner kVertices[3] = {
+        {{1, 0, 0}, {1, 0, 0}, 1, 2}, {{0, 1, 0}, {0, 1, 0}, 2, 0}, {{0, 0, 1}, {0, 0, 1}, 0, 1}};
+    static constexpr double kEdges[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    std::memcpy(corners_, kVertices, sizeof kVertices);
+    std::memcpy(lines_, kEdges, sizeof kEdges);
+  }
+
+  // By the planes that have a bit in s.any. Whether all sides were certain, and the corners outside each
+  // plane one run.
+  template <class Plane, class V>
+  HWY_INLINE bool cut(const std::array<Plane, kPlanes>& planes, const Straddler<V>& s) {
+    int cutting[kPlanes], count = 0;  // found without a branch
+    for (int i = 0; i < kPlanes; ++i) {
+      cutting[count] = i;
+      count += s.any >> planes[static_cast<std::size_t>(i)].bit & 1;
+    }
+    for (const int i : std::span(cutting, count)) {
+      double* const row = lines_[3 + i];
+      for (int v = 0; v < 3; ++v) {
+        row[v] = distance<double>(planes[static_cast<std::size_t>(i)], s.vertex[v]);
+      }
+      if (!cut_by(3 + i, i == cutting[0] ? vertex_sides(row) : corner_sides(row))) return false;
+    }
+    return true;
+  }
+
+  const List& list() const { return list_; }
+  // By its number in the list; below 3 they are the triangle's vertices.
+  const Corner& operator[](int number) const { return corners_[number]; }
+
+ private:
+  // The corners outside a plane, and those whose side is certain.
+  struct Sides {
+    unsigned outside = 0, decided = 0;
+
+    HWY_INLINE void add(int i, double d, double error) {
+      outside |= static_cast<unsigned>(d < 0) << i;
+      decided |= static_cast<unsigned>(std::abs(d) > error) << i;
+    }
+  };
+
+  // Of the triangle's own vertices: distances are exact in sign.
+  static HWY_INLINE Sides vertex_sides(const double row[3]) {
+    Sides r;
+    for (int i = 0; i < 3; ++i) r.add(i, row[i], 0);
+    return r;
+  }
+
+  HWY_INLINE Sides corner_sides(const double row[3]) const {
+    Sides r;
+    for_each_place(list_, [&](int i) {
+      const Corner& c = corners_[list_.at(i)];
+      const double d = c.lambda[0] * row[0] + c.lambda[1] * row[1] + c.lambda[2] * row[2];
+      double error = 0;
+      if constexpr (kCertain) {
+        error = 10 * 0x1p-53 *
+                (c.magnitude[0] * std::abs(row[0]) + c.magnitude[1] * std::abs(row[1]) +
+                 c.magnitude[2] * std::abs(row[2]));
+      }
+      r.add(i, d, error);
+    });
+    return r;
+  }
+
+  HWY_INLINE bool cut_by(int line, const Sides& sides) {
+    const unsigned all = (1u << list_.size) - 1, outside = sides.outside & all;
+    if ((sides.decided & all) != all) return false;
+    if (outside == 0) return true;
+    if (outside == all) {
+      list_ = {};
+      return true;
+    }
+    const Crossing crossing = find_crossing(outside, list_.size);
+    if (!crossing.is_one_run) return false;
+    List r = inside_run(list_, outside, crossing);
+    add_corner(corners_[list_.at(crossing.last_in)].to, line, r);
+    add_corner(line, corners_[list_.at(crossing.first_in)].from, r);
+    if constexpr (kFromFirst) r = r.from(first_place(outside, crossing, r));
+    list_ = r;
+    return true;
+  }
+
+  // Where a list from `first_in` on, with the new corners behind, has the first corner; if that is outside, the
+  // one where the inside is entered.
+  HWY_INLINE int first_place(unsigned outside, const Crossing& crossing, const List& list) const {
+    if ((outside & 1) != 0) return list.size - 1;
+    return crossing.first_in == 0 ? 0 : list_.size - crossing.first_in;
+  }
+
+  HWY_INLINE void add_corner(int from, int to, List& list) {
+    const double *a = lines_[from], *b = lines_[to];
+    Corner& c = corners_[size_];
+    const auto set = [&](int i, int j, int k) {
+      const double first = a[j] * b[k], second = a[k] * b[j];
+      c.lambda[i] = first - second;
+      c.magnitude[i] = std::abs(first) + std::abs(second);
+    };
+    set(0, 1, 2);
+    set(1, 2, 0);
+    set(2, 0, 1);
+    c.from = static_cast<std::uint8_t>(from);
+    c.to = static_cast<std::uint8_t>(to);
+    list.add(size_++);
+  }
+
+  // Beyond `size_` and the lines of planes that cut, nothing is set.
+  Corner corners_[3 + 2 * kPlanes];
+  double lines_[3 + kPlanes][3];
+  int size_ = 3;
+  List list_ = kTriangle;
+};
+
+// The vertices at the ends of an edge.
+inline constexpr std::uint8_t kEnds[3][2] = {{1, 2}, {0, 2}, {0, 1}};
+
 template <bool kCertain, class S>
 struct FromOriginals {
   const S& shape;
@@ -78,25 +206,16 @@ struct FromOriginals {
   template <class V>
   HWY_INLINE int cut_planes(const Straddler<V>& s, V* out) const {
     if ((s.any & kPlaneBits) == 0) return kGiveUp;  // vertices (0, 0, 0, 0)
-    Pool pool;
-    List list = kTriangle;
-    int lines[kPlanes], count = 0;  // of the planes that cut, found without a branch
-    for (int line = 3; line < 3 + kPlanes; ++line) {
-      lines[count] = line;
-      count += s.any >> plane_of(line).bit & 1;
-    }
-    for (const int line : std::span(lines, count)) {
-      double* const row = pool.lines[line];
-      for (int i = 0; i < 3; ++i) row[i] = distance<double>(plane_of(line), s.vertex[i]);
-      const Sides sides = line == lines[0] ? vertex_sides(row) : corner_sides(row, pool, list);
-      if (!cut(line, sides, pool, list)) return kGiveUp;
-    }
-    return list.size < 3 || write_corners(list, pool, s, out) ? list.size : kGiveUp;
+    Corners<kCertain> corners;
+    if (!corners.cut(planes, s)) return kGiveUp;
+    const int size = corners.list().size;
+    return size < 3 || write_corners(corners, s, out) ? size : kGiveUp;
   }
 
  private:
-  // Lines 0 to 2 are the triangle's edges, each opposite to its vertex, the others planes, 3 and on in the
-  // order of `kAllPlanes`.
+  using Corner = typename Corners<kCertain>::Corner;
+
+  // Of a line as Corners has it.
   const CodePlane& plane_of(int line) const { return planes[line - 3]; }
   int line_of(const CodePlane& plane) const {
     int line = 3;
@@ -269,98 +388,12 @@ struct FromOriginals {
     }
   }
 
-  // lambda = line `from` x line `to`, see `barycentric::meet`.
-  struct Corner {
-    double lambda[3], magnitude[3];
-    std::uint8_t from, to;
-  };
-  // Beyond `size` and the lines of planes that cut, nothing is set.
-  struct Pool {
-    Corner corners[3 + 2 * kPlanes];
-    double lines[3 + kPlanes][3];
-    int size = 3;
-
-    Pool() {
-      static constexpr Corner kVertices[3] = {
-          {{1, 0, 0}, {1, 0, 0}, 1, 2}, {{0, 1, 0}, {0, 1, 0}, 2, 0}, {{0, 0, 1}, {0, 0, 1}, 0, 1}};
-      static constexpr double kEdges[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-      std::memcpy(corners, kVertices, sizeof kVertices);
-      std::memcpy(lines, kEdges, sizeof kEdges);
-    }
-  };
-
-  // The corners outside a plane, and those whose side is certain.
-  struct Sides {
-    unsigned outside = 0, decided = 0;
-
-    HWY_INLINE void add(int i, double d, double error) {
-      outside |= static_cast<unsigned>(d < 0) << i;
-      decided |= static_cast<unsigned>(std::abs(d) > error) << i;
-    }
-  };
-
-  // Of the triangle's own vertices: distances are exact in sign.
-  static HWY_INLINE Sides vertex_sides(const double row[3]) {
-    Sides r;
-    for (int i = 0; i < 3; ++i) r.add(i, row[i], 0);
-    return r;
-  }
-
-  static HWY_INLINE Sides corner_sides(const double row[3], const Pool& pool, const List& list) {
-    Sides r;
-    for_each_place(list, [&](int i) {
-      const Corner& c = pool.corners[list.at(i)];
-      const double d = c.lambda[0] * row[0] + c.lambda[1] * row[1] + c.lambda[2] * row[2];
-      double error = 0;
-      if constexpr (kCertain) {
-        error = 10 * 0x1p-53 *
-                (c.magnitude[0] * std::abs(row[0]) + c.magnitude[1] * std::abs(row[1]) +
-                 c.magnitude[2] * std::abs(row[2]));
-      }
-      r.add(i, d, error);
-    });
-    return r;
-  }
-
-  // Whether all sides were certain and the outside corners one run.
-  HWY_INLINE bool cut(int line, const Sides& sides, Pool& pool, List& list) const {
-    const unsigned all = (1u << list.size) - 1, outside = sides.outside & all;
-    if ((sides.decided & all) != all) return false;
-    if (outside == 0) return true;
-    if (outside == all) {
-      list = {};
-      return true;
-    }
-    const Crossing crossing = find_crossing(outside, list.size);
-    if (!crossing.is_one_run) return false;
-    List r = inside_run(list, outside, crossing);
-    add_corner(pool.corners[list.at(crossing.last_in)].to, line, pool, r);
-    add_corner(line, pool.corners[list.at(crossing.first_in)].from, pool, r);
-    list = r;
-    return true;
-  }
-
-  static HWY_INLINE void add_corner(int from, int to, Pool& pool, List& list) {
-    const double *a = pool.lines[from], *b = pool.lines[to];
-    Corner& c = pool.corners[pool.size];
-    const auto set = [&](int i, int j, int k) {
-      const double first = a[j] * b[k], second = a[k] * b[j];
-      c.lambda[i] = first - second;
-      c.magnitude[i] = std::abs(first) + std::abs(second);
-    };
-    set(0, 1, 2);
-    set(1, 2, 0);
-    set(2, 0, 1);
-    c.from = static_cast<std::uint8_t>(from);
-    c.to = static_cast<std::uint8_t>(to);
-    list.add(pool.size++);
-  }
-
   // Whether all corners are in front of the eye; the triangle's own ones are, inside planes that are not met.
   // These come first, without a branch: slots of others are filled later.
   template <class V>
-  HWY_INLINE bool write_corners(const List& list, const Pool& pool, const Straddler<V>& s,
+  HWY_INLINE bool write_corners(const Corners<kCertain>& corners, const Straddler<V>& s,
                                 V* out) const {
+    const List& list = corners.list();
     const std::size_t stride = shape.floats();
     int slots[3 + 2 * kPlanes], count = 0;
     for_each_place(list, [&](int i) {
@@ -372,7 +405,7 @@ struct FromOriginals {
     bool in_front = true;
     for (const int place : std::span(slots, count)) {
       HWY_ALIGN V scratch[S::kWidth];
-      const Corner& corner = pool.corners[list.at(place)];
+      const Corner& corner = corners[list.at(place)];
       V* const slot = out + place * stride;
       V* const v = S::kLoadsInPlace ? slot : scratch;
       Doubt doubt;
@@ -391,7 +424,6 @@ struct FromOriginals {
   HWY_INLINE void write_corner(const Corner& c, const Straddler<V>& s, Doubt& doubt, V* out) const {
     const int low = std::min(c.from, c.to), high = std::max(c.from, c.to);
     if (low < 3) {
-      static constexpr std::uint8_t kEnds[3][2] = {{1, 2}, {0, 2}, {0, 1}};  // of an edge
       const int a = kEnds[low][0], b = kEnds[low][1];
       write_mean(c.lambda[a], a, c.lambda[b], b, s.vertex, plane_of(high).w_weight == 0, doubt,
                  out);

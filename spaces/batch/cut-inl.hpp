@@ -145,6 +145,13 @@ struct List {
 
   HWY_INLINE int at(int i) const { return static_cast<int>(packed >> (4 * i) & 15); }
   HWY_INLINE void add(int number) { packed |= static_cast<std::uint64_t>(number) << (4 * size++); }
+  HWY_INLINE List first(int count) const {
+    return {packed & ((std::uint64_t{1} << (4 * count)) - 1), count};
+  }
+  // The same polygon, from a place on.
+  HWY_INLINE List from(int place) const {
+    return List{packed >> (4 * place) | packed << (4 * (size - place)), size}.first(size);
+  }
 };
 inline constexpr List kTriangle = {0x210, 3};
 static_assert(3 + 2 * kPlanes <= 16);  // numbers in a pool
@@ -175,10 +182,7 @@ HWY_INLINE Crossing find_crossing(unsigned outside, int size) {
 
 // The inside vertices of a list, in order.
 HWY_INLINE List inside_run(const List& list, unsigned outside, const Crossing& crossing) {
-  const int size = list.size - std::popcount(outside);
-  const std::uint64_t rotated =
-      list.packed >> (4 * crossing.first_in) | list.packed << (4 * (list.size - crossing.first_in));
-  return {rotated & ((std::uint64_t{1} << (4 * size)) - 1), size};
+  return list.from(crossing.first_in).first(list.size - std::popcount(outside));
 }
 
 // A mask of the vertices outside a plane. The sign of a rounded sum is the exact one.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The full contract of the method correctly_rounded. Triangles that are inside, or that one plane cuts, are
-// projected, cut and divided in double; where a proved bound leaves only one nearest float for each
-// coordinate and attribute, that is it. The others that survive go to the plain version.
+// The full contract of the method correctly_rounded. Triangles are projected, cut and divided in double; where
+// a proved bound leaves only one nearest float for each coordinate and attribute, and only one side of a
+// plane for each corner, that is it. The others that survive go to the plain version.
 //
 // Sides are exact: a distance is a sum of two products of floats, or of two floats, in double, and rounding
 // keeps its sign. That of a sheared projection has three terms, so all of its triangles go to the plain
@@ -18,6 +18,12 @@
 // 9 u M, M = l_a m_a + l_b m_b, and the denominator D = l_a w_a + l_b w_b within 3 u W, W of |w|. If D is
 // certain to twenty bits, q is within (9 u M + |q| 3 u W) / D (1 + 2^-19) + 2 u |q|. Attributes are as
 // in barycentric-inl.hpp.
+//
+// Lemma (a meeting of two planes). Each weight is a difference of two products of distances, within 4 u of the
+// sum of their magnitudes. Of sums of three products with these the numerator is within 13 u M and the
+// denominator within 7 u W, M and W now with the magnitudes of the weights; the quotient follows as on
+// an edge. Sides and attributes are as in barycentric-inl.hpp. A denominator above 2^-700 keeps whatever
+// underflows, below 2^-1070, far from any float's half.
 #if defined(CLIPSCOPE_BATCH_FULL_ROUNDED_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_FULL_ROUNDED_INL
 #undef CLIPSCOPE_BATCH_FULL_ROUNDED_INL
@@ -76,12 +82,12 @@ class FullRoundedClipper {
   FullRoundedClipper(const Projection<float>& projection, int attributes)
       : projection_(projection),
         attributes_(K == kRunTime ? static_cast<std::size_t>(attributes) : K),
+        planes_(view_code_planes(projection.frustum)),
         sides_(projection.frustum),
         lanes_(Projection<double>(frustum_cast<double>(projection.frustum))) {
-    const auto planes = view_code_planes(projection.frustum);  // in the order of `kAllPlanes`
     for (std::size_t i = 0; i < kPlanes; ++i) {
-      cuts_[planes[i].bit] = {planes[i],
-                              barycentric::plane_form(projection.volume.depth, kAllPlanes[i])};
+      fixed_[i] = barycentric::plane_form(projection.volume.depth, kAllPlanes[i]);
+      by_bit_[planes_[i].bit] = i;
     }
   }
 
@@ -102,11 +108,8 @@ class FullRoundedClipper {
  private:
   using D = hn::CappedTag<double, 4>;
 
-  // A plane of the frustum, and the coordinate that it fixes in NDC.
-  struct Cut {
-    ViewCodePlane plane;
-    barycentric::PlaneForm fixed;
-  };
+  using CornersInOrder = Corners<true, true>;
+  using Fixed = barycentric::PlaneForm;  // the coordinate that a plane fixes in NDC
 
   // A vertex in clip space, and the magnitudes m of the lemma; w last.
   struct Point {
@@ -133,8 +136,12 @@ class FullRoundedClipper {
       ++tally.rejected;
       return;
     }
-    int count = (any & (any - 1)) == 0 ? clip_in_double(vertex, any, writer.next) : kGiveUp;
-    ++(count == kGiveUp ? tally.plain : any == 0 ? tally.inside : tally.one_plane);
+    const bool one = (any & (any - 1)) == 0;
+    int count = clip_in_double(vertex, any, writer.next);
+    ++(count == kGiveUp ? tally.plain
+       : any == 0       ? tally.inside
+       : one            ? tally.one_plane
+                        : tally.planes);
     if (count == kGiveUp) {
       count = plain::cut_full(Method::correctly_rounded, projection_, static_cast<int>(attributes_),
                               triangle, writer.next);
@@ -142,14 +149,14 @@ class FullRoundedClipper {
     writer.add(number, count);
   }
 
-  // any: no plane or one.
   HWY_INLINE int clip_in_double(const float* const vertex[3], unsigned any, float* out) const {
     Point points[3];
     for (int i = 0; i < 3; ++i) {
       lanes_.project(vertex[i], points[i].clip, points[i].magnitude);
       if (!is_finite(points[i])) return kGiveUp;
     }
-    if (any != 0) return cut(vertex, points, cuts_[std::countr_zero(any)], out);
+    if ((any & (any - 1)) != 0) return cut_planes(vertex, points, any, out);
+    if (any != 0) return cut(vertex, points, by_bit_[std::countr_zero(any)], out);
     bool certain = true;
     for (int i = 0; i < 3; ++i) {
       certain = write_own(vertex[i], points[i], out + i * stride_out()) && certain;
@@ -162,16 +169,17 @@ class FullRoundedClipper {
     const D d;
     bool finite = true;
     for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
-      finite = finite && hn::AllTrue(d, hn::Le(hn::Load(d, p.magnitude + i), hn::Set(d, 0x1p600)));
+      finite = finite && hn::AllTrue(d, hn::Le(hn::Load(d, p.magnitude + i), hn::Set(d, 0x1p400)));
     }
     return finite;
   }
 
-  HWY_INLINE int cut(const float* const vertex[3], const Point* points, const Cut& cut,
+  // plane: its place in `planes_`.
+  HWY_INLINE int cut(const float* const vertex[3], const Point* points, std::size_t plane,
                      float* out) const {
-    const double d[3] = {distance<double>(cut.plane, vertex[0]),
-                         distance<double>(cut.plane, vertex[1]),
-                         distance<double>(cut.plane, vertex[2])};
+    const double d[3] = {distance<double>(planes_[plane], vertex[0]),
+                         distance<double>(planes_[plane], vertex[1]),
+                         distance<double>(planes_[plane], vertex[2])};
     if (d[0] == 0 || d[1] == 0 || d[2] == 0) return kGiveUp;  // a vertex on the plane
     const unsigned outside = outside_mask(d);
     const Apex& order = kApex[outside];
@@ -184,11 +192,40 @@ class FullRoundedClipper {
     const auto write = [&](int end, int place) {
       const int apex = order.apex;
       return write_mean(std::abs(d[end]), vertex[apex], points[apex], std::abs(d[apex]),
-                        vertex[end], points[end], cut, at(place));
+                        vertex[end], points[end], fixed_[plane], at(place));
     };
     certain = write(order.b, places.cut_b) && certain;
     certain = write(order.c, places.cut_c) && certain;
     return certain ? order.size : kGiveUp;
+  }
+
+  HWY_NOINLINE int cut_planes(const float* const vertex[3], const Point* points, unsigned any,
+                              float* out) const {
+    CornersInOrder corners;
+    if (!corners.cut(planes_, Straddler<float>{{vertex[0], vertex[1], vertex[2]}, {}, any})) {
+      return kGiveUp;
+    }
+    const List& list = corners.list();
+    if (list.size < 3) return 0;
+    bool certain = true;
+    for (int i = 0; i < list.size; ++i, out += stride_out()) {
+      const int number = list.at(i);
+      certain = certain && (number < 3 ? write_own(vertex[number], points[number], out)
+                                       : write_corner(corners[number], vertex, points, out));
+    }
+    return certain ? list.size : kGiveUp;
+  }
+
+  HWY_INLINE bool write_corner(const CornersInOrder::Corner& c, const float* const vertex[3],
+                               const Point* points, float* out) const {
+    const int low = std::min(c.from, c.to), high = std::max(c.from, c.to);
+    if (low < 3) {
+      const int a = kEnds[low][0], b = kEnds[low][1];
+      return write_mean(c.lambda[a], vertex[a], points[a], c.lambda[b], vertex[b], points[b],
+                        fixed_of(high), out);
+    }
+    const bool certain = write_meeting(c, points, fixed_of(low), fixed_of(high), out);
+    return certain && write_meeting_attributes(c, vertex, out + 4);
   }
 
   // Stores the float nearest to all between the ends; whether there is only one. Fixed lanes are of no matter.
@@ -223,7 +260,8 @@ class FullRoundedClipper {
 
   // A point of the edge between vertices a and b, on the plane.
   HWY_INLINE bool write_mean(double l_a, const float* a, const Point& p_a, double l_b,
-                             const float* b, const Point& p_b, const Cut& cut, float* out) const {
+                             const float* b, const Point& p_b, const Fixed& fixed,
+                             float* out) const {
     constexpr double u = 0x1p-53;
     const D d;
     const double w = l_a * p_a.clip[3] + l_b * p_b.clip[3],
@@ -242,11 +280,10 @@ class FullRoundedClipper {
       const auto q = hn::Mul(hn::MulAdd(v_a, at(p_a.clip), hn::Mul(v_b, at(p_b.clip))), by);
       const auto m = hn::MulAdd(v_a, at(p_a.magnitude), hn::Mul(v_b, at(p_b.magnitude)));
       const auto error = hn::MulAdd(m, of_m, hn::Mul(hn::Abs(q), of_q));
-      const auto fixed = hn::Eq(hn::Iota(d, static_cast<double>(i)),
-                                hn::Set(d, static_cast<double>(cut.fixed.axis)));
-      certain = store_nearest(hn::Sub(q, error), hn::Add(q, error), fixed, out + i) && certain;
+      certain = store_nearest(hn::Sub(q, error), hn::Add(q, error), lane_of(fixed, i), out + i) &&
+                certain;
     }
-    out[cut.fixed.axis] = cut.fixed.bound;
+    out[fixed.axis] = fixed.bound;
     return write_mean_attributes(l_a, a + 3, l_b, b + 3, out + 4) && certain;
   }
 
@@ -257,18 +294,88 @@ class FullRoundedClipper {
     for (std::size_t k = 0; k < attributes_; ++k) {
       const double v_a = a[k], v_b = b[k], q = (l_a * v_a + l_b * v_b) * reciprocal,
                    error = std::max(std::abs(v_a), std::abs(v_b)) * kEdgeError;
-      const float low = static_cast<float>(q - error), high = static_cast<float>(q + error);
-      out[k] = low;
-      certain &= std::bit_cast<std::uint32_t>(low) == std::bit_cast<std::uint32_t>(high);
+      certain &= store_nearest(q - error, q + error, out[k]);
     }
     return certain;
   }
 
+  // Lanes from i on: that of the coordinate which is fixed.
+  static HWY_INLINE hn::Mask<D> lane_of(const Fixed& fixed, std::size_t i) {
+    const D d;
+    return hn::Eq(hn::Iota(d, static_cast<double>(i)), hn::Set(d, static_cast<double>(fixed.axis)));
+  }
+
+  const Fixed& fixed_of(int line) const { return fixed_[static_cast<std::size_t>(line - 3)]; }
+
+  // The position of a point of the triangle on two planes.
+  HWY_INLINE bool write_meeting(const CornersInOrder::Corner& c, const Point* points,
+                                const Fixed& first, const Fixed& second, float* out) const {
+    constexpr double u = 0x1p-53;
+    const auto sum = [&](const double* weights, auto of) {
+      return weights[0] * of(points[0]) + weights[1] * of(points[1]) + weights[2] * of(points[2]);
+    };
+    const double w = sum(c.lambda, [](const Point&p) { return p.clip[3]; }),
+                 w_error = 8 * u * sum(c.magnitude, [](const Point&p) { return p.magnitude[3]; });
+    if (!(w > 0x1p20 * w_error && w > 0x1p-700)) return false;
+    const D d;
+    const double reciprocal = 1 / w;
+    const auto one = hn::Set(d, 1.0), by = hn::Set(d, reciprocal),
+               of_m = hn::Set(d, 16 * u * reciprocal),
+               of_q = hn::Set(d, 2 * w_error * reciprocal + 8 * u);
+    bool certain = true;
+    for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
+      const auto is_coordinate = hn::FirstN(d, 3 - i);
+      const auto sums = [&](const double* weights, double(Point::*of)[4]) {
+        const auto term = [&](int v) {
+          return hn::IfThenElse(is_coordinate, hn::Load(d, points[v].*of + i), one);
+        };
+        return hn::MulAdd(
+            hn::Set(d, weights[2]), term(2),
+            hn::MulAdd(hn::Set(d, weights[1]), term(1), hn::Mul(hn::Set(d, weights[0]), term(0))));
+      };
+      const auto q = hn::Mul(sums(c.lambda, &Point::clip), by);
+      const auto error =
+          hn::MulAdd(sums(c.magnitude, &Point::magnitude), of_m, hn::Mul(hn::Abs(q), of_q));
+      const auto fixed = hn::Or(lane_of(first, i), lane_of(second, i));
+      certain = store_nearest(hn::Sub(q, error), hn::Add(q, error), fixed, out + i) && certain;
+    }
+    out[first.axis] = first.bound;
+    out[second.axis] = second.bound;
+    return certain;
+  }
+
+  HWY_INLINE bool write_meeting_attributes(const CornersInOrder::Corner& c,
+                                           const float* const vertex[3], float* out) const {
+    const double total = c.lambda[0] + c.lambda[1] + c.lambda[2],
+                 total_error = 10 * 0x1p-53 * (c.magnitude[0] + c.magnitude[1] + c.magnitude[2]);
+    if (!(total > 0x1p20 * total_error)) return false;
+    const double reciprocal = 1 / total,
+                 of_largest = 2 * total_error / total * (1 + 0x1p-17) + 0x1p-50;
+    bool certain = true;
+    for (std::size_t k = 3; k < 3 + attributes_; ++k) {
+      const double v[3] = {vertex[0][k], vertex[1][k], vertex[2][k]},
+                   q = (c.lambda[0] * v[0] + c.lambda[1] * v[1] + c.lambda[2] * v[2]) * reciprocal,
+                   error = of_largest *
+                           std::max(std::abs(v[0]), std::max(std::abs(v[1]), std::abs(v[2])));
+      certain &= store_nearest(q - error, q + error, *out++);
+    }
+    return certain;
+  }
+
+  // The same of one float.
+  static HWY_INLINE bool store_nearest(double low, double high, float& out) {
+    out = static_cast<float>(low);
+    return std::bit_cast<std::uint32_t>(out) ==
+           std::bit_cast<std::uint32_t>(static_cast<float>(high));
+  }
+
   const Projection<float>& projection_;
   const std::size_t attributes_;
+  const std::array<ViewCodePlane, kPlanes> planes_;  // in the order of `kAllPlanes`
   const ExactSides sides_;
   const ProjectionLanes<double> lanes_;
-  std::array<Cut, 8> cuts_{};  // by the bit of a plane
+  std::array<Fixed, kPlanes> fixed_{};   // by the place in `planes_`
+  std::array<std::size_t, 8> by_bit_{};  // places in `planes_`
 };
 
 }  // namespace clipscope::batch::HWY_NAMESPACE

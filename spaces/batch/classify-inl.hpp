@@ -110,9 +110,9 @@ HWY_INLINE unsigned vertex_code(const ClipLimits& limits, const double* v) {
 HWY_INLINE std::uint16_t with_complement(unsigned code) {
   return static_cast<std::uint16_t>(code | (~code & 0xFF) << 8);
 }
-inline constexpr std::uint32_t kInsideCodes = 0xFF00;  // of three vertices inside
-inline constexpr std::uint32_t kSurvivingCodes = kPlaneBits
-                                                 << 8;  // of survivors: all of these bits
+// Three vertices inside have these bits and no others; those of a survivor have all of the second.
+inline constexpr std::uint32_t kInsideCodes = 0xFF00;
+inline constexpr std::uint32_t kSurvivingCodes = kPlaneBits << 8;
 
 // Of three vertices: `all` has the bits that all of them have, `any` those that some have.
 struct Codes {

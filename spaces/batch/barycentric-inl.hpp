@@ -130,19 +130,11 @@ class Corners {
   HWY_INLINE bool cut_by(int line, const Sides& sides) {
     const unsigned all = (1u << list_.size) - 1, outside = sides.outside & all;
     if ((sides.decided & all) != all) return false;
-    if (outside == 0) return true;
-    if (outside == all) {
-      list_ = {};
-      return true;
-    }
-    const Crossing crossing = find_crossing(outside, list_.size);
-    if (!crossing.is_one_run) return false;
-    List r = inside_run(list_, outside, crossing);
-    add_corner(corners_[list_.at(crossing.last_in)].to, line, r);
-    add_corner(line, corners_[list_.at(crossing.first_in)].from, r);
-    if constexpr (kFromFirst) r = r.from(first_place(outside, crossing, r));
-    list_ = r;
-    return true;
+    return cut_list(outside, list_, [&](const Crossing& crossing, List& r) {
+      add_corner(corners_[list_.at(crossing.last_in)].to, line, r);
+      add_corner(line, corners_[list_.at(crossing.first_in)].from, r);
+      if constexpr (kFromFirst) r = r.from(first_place(outside, crossing, r));
+    });
   }
 
   // Where a list from `first_in` on, with the new corners behind, has the first corner; if that is outside, the

@@ -185,6 +185,23 @@ HWY_INLINE List inside_run(const List& list, unsigned outside, const Crossing& c
   return list.from(crossing.first_in).first(list.size - std::popcount(outside));
 }
 
+// Cuts a list by a plane; outside: a mask of the places. add(crossing, list) appends what takes the place of
+// those outside. Whether they were one run.
+template <class F>
+HWY_INLINE bool cut_list(unsigned outside, List& list, F&& add) {
+  if (outside == 0) return true;
+  if (outside == (1u << list.size) - 1) {
+    list = {};
+    return true;
+  }
+  const Crossing crossing = find_crossing(outside, list.size);
+  if (!crossing.is_one_run) return false;
+  List r = inside_run(list, outside, crossing);
+  add(crossing, r);
+  list = r;
+  return true;
+}
+
 // A mask of the vertices outside a plane. The sign of a rounded sum is the exact one.
 template <class T>
 HWY_INLINE unsigned outside_mask(const T d[3]) {
@@ -266,20 +283,11 @@ struct Chain {
   bool cut(const Plane& plane, Pool& pool, List& list) const {
     unsigned outside = 0;
     for_each_place(list, [&](int i) { outside |= (pool.code[list.at(i)] >> plane.bit & 1) << i; });
-    const unsigned all = (1u << list.size) - 1;
-    outside &= all;
-    if (outside == 0) return true;
-    if (outside == all) {
-      list = {};
-      return true;
-    }
-    const Crossing crossing = find_crossing(outside, list.size);
-    if (!crossing.is_one_run) return false;
-    List r = inside_run(list, outside, crossing);
-    add_cut(plane, list.at(crossing.last_in), list.at(crossing.first_out), pool, r);
-    add_cut(plane, list.at(crossing.first_in), list.at(crossing.last_out), pool, r);
-    list = r;
-    return true;
+    outside &= (1u << list.size) - 1;
+    return cut_list(outside, list, [&](const Crossing& c, List& r) {
+      add_cut(plane, list.at(c.last_in), list.at(c.first_out), pool, r);
+      add_cut(plane, list.at(c.first_in), list.at(c.last_out), pool, r);
+    });
   }
 
   // The edge's meeting with the plane, unless its inside end lies on it.

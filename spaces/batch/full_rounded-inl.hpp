@@ -242,19 +242,41 @@ class FullRoundedClipper {
   HWY_INLINE bool write_own(const float* vertex, const Point& p, float* out) const {
     const D d;
     const double reciprocal = 1 / p.clip[3];
-    const auto one = hn::Set(d, 1.0), by = hn::Set(d, reciprocal),
-               weight = hn::Set(d, 16 * 0x1p-53 * reciprocal);
+    const auto by = hn::Set(d, reciprocal), weight = hn::Set(d, 16 * 0x1p-53 * reciprocal);
     bool certain = true;
     for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
-      const auto is_coordinate = hn::FirstN(d, 3 - i);
-      const auto n = hn::IfThenElse(is_coordinate, hn::Load(d, p.clip + i), one),
-                 m = hn::IfThenElse(is_coordinate, hn::Load(d, p.magnitude + i), one);
-      const auto error = hn::Mul(m, weight);
+      const auto n = lanes_or_one(p.clip, i);
+      const auto error = hn::Mul(lanes_or_one(p.magnitude, i), weight);
       certain = store_nearest(hn::MulSub(n, by, error), hn::MulAdd(n, by, error), hn::FirstN(d, 0),
                               out + i) &&
                 certain;
     }
     for (std::size_t k = 0; k < attributes_; ++k) out[4 + k] = vertex[3 + k] + 0.0f;  // zeros: +0
+    return certain;
+  }
+
+  // Lanes from i on of x, y, z and of 1 for w.
+  static HWY_INLINE hn::Vec<D> lanes_or_one(const double* lanes, std::size_t i) {
+    const D d;
+    return hn::IfThenElse(hn::FirstN(d, 3 - i), hn::Load(d, lanes + i), hn::Set(d, 1.0));
+  }
+
+  // Sums of terms over w, which is certain within w_error, the sums within m_error of those of magnitudes; whether
+  // all lanes but the fixed ones are certain. Each function gives lanes from i on.
+  template <class Sums, class Magnitudes, class FixedLanes>
+  static HWY_INLINE bool write_quotients(Sums&& sums, Magnitudes&& magnitudes, double w,
+                                         double w_error, double m_error, FixedLanes&& fixed,
+                                         float* out) {
+    const D d;
+    const double reciprocal = 1 / w;
+    const auto by = hn::Set(d, reciprocal), of_m = hn::Set(d, m_error * reciprocal),
+               of_q = hn::Set(d, 2 * w_error * reciprocal + 8 * 0x1p-53);
+    bool certain = true;
+    for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
+      const auto q = hn::Mul(sums(i), by);
+      const auto error = hn::MulAdd(magnitudes(i), of_m, hn::Mul(hn::Abs(q), of_q));
+      certain = store_nearest(hn::Sub(q, error), hn::Add(q, error), fixed(i), out + i) && certain;
+    }
     return certain;
   }
 
@@ -267,22 +289,14 @@ class FullRoundedClipper {
     const double w = l_a * p_a.clip[3] + l_b * p_b.clip[3],
                  w_error = 4 * u * (l_a * p_a.magnitude[3] + l_b * p_b.magnitude[3]);
     if (!(w > 0x1p20 * w_error)) return false;
-    const double reciprocal = 1 / w;
-    const auto v_a = hn::Set(d, l_a), v_b = hn::Set(d, l_b), one = hn::Set(d, 1.0),
-               by = hn::Set(d, reciprocal), of_m = hn::Set(d, 12 * u * reciprocal),
-               of_q = hn::Set(d, 2 * w_error * reciprocal + 8 * u);
-    bool certain = true;
-    for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
-      const auto is_coordinate = hn::FirstN(d, 3 - i);
-      const auto at = [&](const double* lanes) {
-        return hn::IfThenElse(is_coordinate, hn::Load(d, lanes + i), one);
-      };
-      const auto q = hn::Mul(hn::MulAdd(v_a, at(p_a.clip), hn::Mul(v_b, at(p_b.clip))), by);
-      const auto m = hn::MulAdd(v_a, at(p_a.magnitude), hn::Mul(v_b, at(p_b.magnitude)));
-      const auto error = hn::MulAdd(m, of_m, hn::Mul(hn::Abs(q), of_q));
-      certain = store_nearest(hn::Sub(q, error), hn::Add(q, error), lane_of(fixed, i), out + i) &&
-                certain;
-    }
+    const auto v_a = hn::Set(d, l_a), v_b = hn::Set(d, l_b);
+    const auto sums = [&](const double* of_a, const double* of_b, std::size_t i) {
+      return hn::MulAdd(v_a, lanes_or_one(of_a, i), hn::Mul(v_b, lanes_or_one(of_b, i)));
+    };
+    const bool certain =
+        write_quotients([&](std::size_t i) { return sums(p_a.clip, p_b.clip, i); },
+                        [&](std::size_t i) { return sums(p_a.magnitude, p_b.magnitude, i); }, w,
+                        w_error, 12 * u, [&](std::size_t i) { return lane_of(fixed, i); }, out);
     out[fixed.axis] = fixed.bound;
     return write_mean_attributes(l_a, a + 3, l_b, b + 3, out + 4) && certain;
   }
@@ -318,27 +332,16 @@ class FullRoundedClipper {
                  w_error = 8 * u * sum(c.magnitude, [](const Point&p) { return p.magnitude[3]; });
     if (!(w > 0x1p20 * w_error && w > 0x1p-700)) return false;
     const D d;
-    const double reciprocal = 1 / w;
-    const auto one = hn::Set(d, 1.0), by = hn::Set(d, reciprocal),
-               of_m = hn::Set(d, 16 * u * reciprocal),
-               of_q = hn::Set(d, 2 * w_error * reciprocal + 8 * u);
-    bool certain = true;
-    for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
-      const auto is_coordinate = hn::FirstN(d, 3 - i);
-      const auto sums = [&](const double* weights, double(Point::*of)[4]) {
-        const auto term = [&](int v) {
-          return hn::IfThenElse(is_coordinate, hn::Load(d, points[v].*of + i), one);
-        };
-        return hn::MulAdd(
-            hn::Set(d, weights[2]), term(2),
-            hn::MulAdd(hn::Set(d, weights[1]), term(1), hn::Mul(hn::Set(d, weights[0]), term(0))));
-      };
-      const auto q = hn::Mul(sums(c.lambda, &Point::clip), by);
-      const auto error =
-          hn::MulAdd(sums(c.magnitude, &Point::magnitude), of_m, hn::Mul(hn::Abs(q), of_q));
-      const auto fixed = hn::Or(lane_of(first, i), lane_of(second, i));
-      certain = store_nearest(hn::Sub(q, error), hn::Add(q, error), fixed, out + i) && certain;
-    }
+    const auto sums = [&](const double* weights, double(Point::*of)[4], std::size_t i) {
+      const auto term = [&](int v) { return lanes_or_one(points[v].*of, i); };
+      return hn::MulAdd(
+          hn::Set(d, weights[2]), term(2),
+          hn::MulAdd(hn::Set(d, weights[1]), term(1), hn::Mul(hn::Set(d, weights[0]), term(0))));
+    };
+    const bool certain = write_quotients(
+        [&](std::size_t i) { return sums(c.lambda, &Point::clip, i); },
+        [&](std::size_t i) { return sums(c.magnitude, &Point::magnitude, i); }, w, w_error, 16 * u,
+        [&](std::size_t i) { return hn::Or(lane_of(first, i), lane_of(second, i)); }, out);
     out[first.axis] = first.bound;
     out[second.axis] = second.bound;
     return certain;

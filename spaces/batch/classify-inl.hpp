@@ -170,10 +170,17 @@ HWY_INLINE void classify_block(const Limits& limits, const V* v, std::size_t str
   }
 }
 
-// Blocks that follow each other, a triangle of each in turn.
+// The blocks of a group, a triangle of each in turn; of a smaller one, the last, one after the other.
 template <class Limits, class V>
-HWY_INLINE void classify_blocks(const Limits& limits, const V* v, std::size_t stride,
-                                std::array<Survivors, kBlocksAtOnce>& out) {
+HWY_INLINE void classify_group(const Limits& limits, const V* v, std::size_t stride,
+                               std::size_t triangles, std::array<Survivors, kBlocksAtOnce>& out) {
+  if (triangles < kGroup) {
+    for (std::size_t first = 0; first < triangles; first += kBlock) {
+      classify_block(limits, v + 3 * first * stride, stride, std::min(kBlock, triangles - first),
+                     out[first / kBlock]);
+    }
+    return;
+  }
   for (Survivors& s : out) s.count = 0;
   for (std::size_t t = 0; t < kBlock; ++t) {
     for (std::size_t b = 0; b < kBlocksAtOnce; ++b) {

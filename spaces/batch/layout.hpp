@@ -18,6 +18,7 @@ inline constexpr std::size_t kBlock = 256;
 
 // From so many blocks triangles are read in turn: to several streams memory delivers more than to one.
 inline constexpr std::size_t kBlocksAtOnce = 4;
+inline constexpr std::size_t kGroup = kBlocksAtOnce * kBlock;
 
 // Room that is kept free behind the last vertex, since whole vectors are stored.
 inline constexpr std::size_t kSlack = 64;

@@ -254,11 +254,9 @@ HWY_INLINE void classify_vertices(const Shape<K>& shape, const ClipLimits& limit
   });
 }
 
-// Some blocks of a mesh's triangles.
-class MeshBlocks {
+// A group of a mesh's triangles.
+class MeshGroup {
  public:
-  static constexpr std::size_t kSize = kBlocksAtOnce * kBlock;
-
   // codes: those of the vertices; indices: three per triangle.
   HWY_INLINE void classify(const std::uint16_t* codes, std::span<const std::uint32_t> indices) {
     const std::size_t count = indices.size() / 3;
@@ -293,7 +291,7 @@ class MeshBlocks {
 
  private:
   static constexpr std::size_t kRoom = 16;  // that whole vectors are read in
-  std::uint32_t codes_[kSize + kRoom];
+  std::uint32_t codes_[kGroup + kRoom];
 };
 
 // The stage in its contracts, one call of one of them: the cutter with the plain version behind it, and what
@@ -307,20 +305,13 @@ class Stage {
   }
 
   void copy(const VertexArray& in) {
-    const std::size_t stride = cutter_.shape.floats(), triangles = in.count / 3;
-    std::size_t first = 0;
-    while (first + kBlocksAtOnce * kBlock <= triangles) {
-      classify_blocks(cutter_.limits, in.data + first * 3 * stride, stride, at_once_);
-      for (const Survivors& survivors : at_once_) {
-        copy_block(in.data, first, kBlock, survivors);
-        first += kBlock;
-      }
-    }
-    for (; first < triangles; first += kBlock) {
-      const std::size_t count = std::min(kBlock, triangles - first);
-      classify_block(cutter_.limits, in.data + first * 3 * stride, stride, count, survivors_);
-      copy_block(in.data, first, count, survivors_);
-    }
+    const std::size_t stride = cutter_.shape.floats();
+    for_each_block<kGroup>(in.count / 3, [&](std::size_t first, std::size_t count) {
+      classify_group(cutter_.limits, in.data + 3 * first * stride, stride, count, at_once_);
+      for_each_block(count, [&](std::size_t begin, std::size_t size) {
+        copy_block(in.data, first + begin, size, at_once_[begin / kBlock]);
+      });
+    });
   }
 
   void reference(const TriangleStreams& in) {
@@ -350,29 +341,28 @@ class Stage {
   void indexed(const IndexedMesh& mesh) {
     std::uint16_t* const codes = access_.codes(mesh.vertices.count);
     classify_vertices(cutter_.shape, cutter_.limits, mesh.vertices, codes);
-    const std::size_t triangles = mesh.indices.size() / 3;
-    MeshBlocks blocks;
-    for (std::size_t first = 0; first < triangles; first += MeshBlocks::kSize) {
-      const std::size_t count = std::min(MeshBlocks::kSize, triangles - first);
+    MeshGroup group;
+    for_each_block<kGroup>(mesh.indices.size() / 3, [&](std::size_t first, std::size_t count) {
       const auto indices = mesh.indices.subspan(3 * first, 3 * count);
-      blocks.classify(codes, indices);
+      group.classify(codes, indices);
       for_each_block(count, [&](std::size_t begin, std::size_t size) {
         Writer writer = access_.block(size);
         const std::uint32_t* const inside = writer.inside;
         survivors_.count = 0;
-        blocks.sort(begin, size, first + begin, writer, survivors_);
+        group.sort(begin, size, first + begin, writer, survivors_);
         count_uncut(size, inside, writer);
         cut_survivors(mesh.vertices.data, indices.data() + 3 * begin, first + begin, writer);
         access_.commit(writer);
       });
-    }
+    });
   }
 
  private:
-  template <class F>
+  // f(first, count) of each, kSize triangles but for the last.
+  template <std::size_t kSize = kBlock, class F>
   static HWY_INLINE void for_each_block(std::size_t triangles, F&& f) {
-    for (std::size_t first = 0; first < triangles; first += kBlock) {
-      f(first, std::min(kBlock, triangles - first));
+    for (std::size_t first = 0; first < triangles; first += kSize) {
+      f(first, std::min(kSize, triangles - first));
     }
   }
 
@@ -439,7 +429,7 @@ class Stage {
   const OutputAccess access_;
   Padded<Shape<K>> padded_;
   Survivors survivors_;                           // of a block
-  std::array<Survivors, kBlocksAtOnce> at_once_;  // of some blocks
+  std::array<Survivors, kBlocksAtOnce> at_once_;  // of a group
 };
 
 }  // namespace clipscope::batch::HWY_NAMESPACE

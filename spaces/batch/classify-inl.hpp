@@ -10,6 +10,7 @@
 #define CLIPSCOPE_BATCH_CLASSIFY_INL
 #endif
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <limits>
@@ -78,6 +79,21 @@ struct alignas(32) ViewLimits {
   }
 };
 
+// Asks memory for what is needed soon.
+inline constexpr std::size_t kLine = 64;  // bytes of a cache line
+HWY_INLINE void prefetch_floats(const float* p, std::size_t count) {
+  for (std::size_t i = 0; i < count; i += 16) hwy::Prefetch(p + i);
+  if (count != 0) hwy::Prefetch(p + count - 1);
+}
+// The lines of so many bytes, further on by more than the processor looks ahead; they need not exist.
+HWY_INLINE void prefetch_ahead(const void* p, std::size_t bytes) {
+  constexpr std::size_t kAhead = 2048;
+  const auto from = reinterpret_cast<std::uintptr_t>(p) + kAhead;
+  for (std::size_t i = 0; i < bytes; i += kLine) {
+    hwy::Prefetch(reinterpret_cast<const char*>(from + i));
+  }
+}
+
 template <class D>
 HWY_INLINE unsigned mask_bits(D d, hn::Mask<D> mask) {
   std::uint8_t bits[8] = {0};
@@ -105,14 +121,53 @@ HWY_INLINE unsigned vertex_code(const ClipLimits& limits, const double* v) {
          set(v[1] < -w, 5) | set(v[2] < lowest_z, 6) | set(!(w > 0), 7);
 }
 
+// Vertices, one register per coordinate.
+template <class D>
+struct Positions {
+  hn::Vec<D> x, y, z, w;
+};
+
+// Those of as many vertices as d has lanes, 4 or 8, which lie so many floats apart.
+template <class D>
+HWY_INLINE Positions<D> load_positions(D d, const float* v, std::size_t stride) {
+  const auto load = [&](std::size_t i) {
+    if constexpr (hn::MaxLanes(D()) == 8) {
+      return hn::Combine(d, hn::LoadU(kD4, v + (4 + i) * stride), hn::LoadU(kD4, v + i * stride));
+    } else {
+      return hn::LoadU(d, v + i * stride);
+    }
+  };
+  const auto v0 = load(0), v1 = load(1), v2 = load(2), v3 = load(3);
+  const auto xy_even = hn::InterleaveLower(d, v0, v2), xy_odd = hn::InterleaveLower(d, v1, v3),
+             zw_even = hn::InterleaveUpper(d, v0, v2), zw_odd = hn::InterleaveUpper(d, v1, v3);
+  return {hn::InterleaveLower(d, xy_even, xy_odd), hn::InterleaveUpper(d, xy_even, xy_odd),
+          hn::InterleaveLower(d, zw_even, zw_odd), hn::InterleaveUpper(d, zw_even, zw_odd)};
+}
+
+// For each plane, in the order of their bits, which vertices are inside.
+inline constexpr int kPlaneBit[kPlanes] = {0, 1, 2, 4, 5, 6};
+template <class D>
+HWY_INLINE void planes_inside(D d, const ClipLimits& limits, const Positions<D>& p,
+                              hn::Mask<D> (&inside)[kPlanes]) {
+  const auto minus_w = hn::Neg(p.w);
+  const auto lowest_z =
+      hn::And(minus_w, hn::BitCast(d, hn::Set(hn::RebindToUnsigned<D>(), limits.keep[6])));
+  inside[0] = hn::Le(p.x, p.w);
+  inside[1] = hn::Le(p.y, p.w);
+  inside[2] = hn::Le(p.z, p.w);
+  inside[3] = hn::Le(minus_w, p.x);
+  inside[4] = hn::Le(minus_w, p.y);
+  inside[5] = hn::Le(lowest_z, p.z);
+}
+
 // A code with its complement above it. Those of three vertices, or'ed, have the bits that some vertex has
 // and, above, those that some vertex has not.
 HWY_INLINE std::uint16_t with_complement(unsigned code) {
   return static_cast<std::uint16_t>(code | (~code & 0xFF) << 8);
 }
 // Three vertices inside have these bits and no others; those of a survivor have all of the second.
-inline constexpr std::uint32_t kInsideCodes = 0xFF00;
-inline constexpr std::uint32_t kSurvivingCodes = kPlaneBits << 8;
+inline constexpr std::uint16_t kInsideCodes = 0xFF00;
+inline constexpr std::uint16_t kSurvivingCodes = kPlaneBits << 8;
 
 // Of three vertices: `all` has the bits that all of them have, `any` those that some have.
 struct Codes {
@@ -159,6 +214,31 @@ struct Survivors {
     count += (codes.all & kPlaneBits) == 0;
   }
 };
+
+// The numbers first, first + 1, … of d's lanes whose bits are set; returns where the next number goes. Where
+// an instruction does not do it, Highway looks a permutation up in a table of 1 KB, which GCC copies to the
+// stack each time.
+template <class D>
+HWY_INLINE std::uint32_t* append_numbers(D d, std::size_t first, unsigned bits, std::uint32_t* to) {
+  const std::size_t lanes = hn::Lanes(d);
+  const auto numbers = hn::Add(hn::Iota(d, 0), hn::Set(d, static_cast<std::uint32_t>(first)));
+  const unsigned all = (1u << lanes) - 1;
+  if ((bits & all) == all) {  // as often with neighbours in a mesh
+    hn::StoreU(numbers, d, to);
+    return to + lanes;
+  }
+  if constexpr (hn::MaxLanes(D()) > 8) {
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits),
+                                   static_cast<std::uint8_t>(bits >> 8)};
+    return to + hn::CompressStore(numbers, hn::LoadMaskBits(d, bytes), d, to);
+  } else {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      *to = static_cast<std::uint32_t>(first + lane);
+      to += bits >> lane & 1;
+    }
+    return to;
+  }
+}
 
 // Triangles whose vertices lie one after the other, so many floats apart.
 template <class Limits, class V>

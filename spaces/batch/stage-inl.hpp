@@ -9,9 +9,9 @@
 #define CLIPSCOPE_BATCH_STAGE_INL
 #endif
 
-#include <hwy/cache_control.h>
-
 #include "spaces/batch/barycentric-inl.hpp"
+#include "spaces/batch/mesh-inl.hpp"
+#include "spaces/batch/streams-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
@@ -153,146 +153,12 @@ class Padded {
   HWY_ALIGN V memory_[3][S::kWidth] = {};
 };
 
-// Few triangles are cut: what only they need is asked for when they are found.
-HWY_INLINE void prefetch_floats(const float* p, std::size_t count) {
-  for (std::size_t i = 0; i < count; i += 16) hwy::Prefetch(p + i);
-  if (count != 0) hwy::Prefetch(p + count - 1);
-}
-
-// The numbers first, first + 1, … of the lanes that are set; returns where the next number goes. Where an
-// instruction does not do it, Highway looks a permutation up in a table of 1 KB, which GCC copies to the
-// stack each time.
-template <class D>
-HWY_INLINE std::uint32_t* append_numbers(D d, std::size_t first, hn::Mask<D> lanes,
-                                         std::uint32_t* to) {
-  if constexpr (hn::MaxLanes(D()) > 8) {
-    const auto numbers = hn::Iota(d, static_cast<std::uint32_t>(first));
-    return to + hn::CompressStore(numbers, lanes, d, to);
-  } else {
-    if (hn::AllTrue(d, lanes)) {  // as often with neighbours in a mesh
-      const auto from = hn::Set(d, static_cast<std::uint32_t>(first));
-      hn::StoreU(hn::Add(hn::Iota(d, 0), from), d, to);
-      return to + hn::Lanes(d);
-    }
-    const unsigned bits = mask_bits(d, lanes);
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-      *to = static_cast<std::uint32_t>(first + lane);
-      to += bits >> lane & 1;
-    }
-    return to;
-  }
-}
-
-// Classifies triangles [first, first + count) in whole vectors, and returns how many that are: numbers of those
-// inside go to the writer, others that survive, counted from `first`, to the list.
-template <class D>
-HWY_INLINE std::size_t classify_streams(D d, const ClipLimits& limits, const TriangleStreams& in,
-                                        std::size_t first, std::size_t count, Writer& writer,
-                                        Survivors& out) {
-  const hn::RebindToUnsigned<D> du;
-  const bool from_zero = limits.keep[6] == 0;
-  const auto floats = 3 * static_cast<std::size_t>(in.attribute_count);  // attributes of a triangle
-  std::size_t t = 0;
-  for (; t + hn::Lanes(d) <= count; t += hn::Lanes(d)) {
-    // Per plane: whether some vertex is inside; and whether all are, of all planes.
-    hn::Mask<D> some[kPlanes], every;
-    auto least_w = hn::Zero(d), most_w = hn::Zero(d);
-    for (int v = 0; v < 3; ++v) {
-      const auto& p = in.positions[v];
-      const auto x = hn::LoadU(d, p[0] + first + t), y = hn::LoadU(d, p[1] + first + t),
-                 z = hn::LoadU(d, p[2] + first + t), w = hn::LoadU(d, p[3] + first + t);
-      const auto minus_w = hn::Neg(w);
-      const hn::Mask<D> in_plane[kPlanes] = {
-          hn::Le(x, w),       hn::Le(y, w),       hn::Le(z, w),
-          hn::Le(minus_w, x), hn::Le(minus_w, y), hn::Le(from_zero ? hn::Zero(d) : minus_w, z)};
-      for (int i = 0; i < kPlanes; ++i) {
-        some[i] = v == 0 ? in_plane[i] : hn::Or(some[i], in_plane[i]);
-        every = v == 0 && i == 0 ? in_plane[i] : hn::And(every, in_plane[i]);
-      }
-      least_w = v == 0 ? w : hn::Min(least_w, w);
-      most_w = v == 0 ? w : hn::Max(most_w, w);
-    }
-    hn::Mask<D> survives = some[0];
-    for (int i = 1; i < kPlanes; ++i) survives = hn::And(survives, some[i]);
-    if (hn::AllFalse(d, survives)) continue;
-    // Where `every` holds no w is NaN.
-    const auto inside =
-        hn::And(every, hn::And(hn::Le(most_w, hn::Set(d, kLargest)), hn::Gt(least_w, hn::Zero(d))));
-    writer.inside = append_numbers(du, first + t, hn::RebindMask(du, inside), writer.inside);
-    for (unsigned rest = mask_bits(d, hn::AndNot(inside, survives)); rest != 0; rest &= rest - 1) {
-      const auto cut = t + static_cast<std::size_t>(std::countr_zero(rest));
-      out.triangle[out.count++] = static_cast<std::uint16_t>(cut);
-      prefetch_floats(in.attributes + (first + cut) * floats, floats);
-    }
-  }
-  return t;
-}
-
 // The bits that some of three vertices have, and those that all have.
 HWY_INLINE Codes codes_of(const ClipLimits& limits, const float* const vertex[3]) {
   const unsigned a = vertex_code(limits, vertex[0]), b = vertex_code(limits, vertex[1]),
                  c = vertex_code(limits, vertex[2]);
   return {a & b & c, a | b | c};
 }
-
-// f(i) for each i below count, one of each part in turn.
-template <class F>
-HWY_INLINE void for_parts_in_turn(std::size_t count, F&& f) {
-  const std::size_t part = count / kBlocksAtOnce, parts = kBlocksAtOnce * part;
-  for (std::size_t i = 0; i < part; ++i) {
-    for (std::size_t p = 0; p < kBlocksAtOnce; ++p) f(p * part + i);
-  }
-  for (std::size_t i = parts; i < count; ++i) f(i);
-}
-
-// Codes of all vertices of a mesh, with their complements.
-template <int K>
-HWY_INLINE void classify_vertices(const Shape<K>& shape, const ClipLimits& limits,
-                                  const VertexArray& in, std::uint16_t* codes) {
-  for_parts_in_turn(in.count, [&](std::size_t i) {
-    codes[i] = with_complement(vertex_code(limits, in.data + i * shape.floats()));
-  });
-}
-
-// A group of a mesh's triangles.
-class MeshGroup {
- public:
-  // codes: those of the vertices; indices: three per triangle.
-  HWY_INLINE void classify(const std::uint16_t* codes, std::span<const std::uint32_t> indices) {
-    const std::size_t count = indices.size() / 3;
-    for_parts_in_turn(count, [&](std::size_t t) {
-      const std::uint32_t* const i = indices.data() + 3 * t;
-      codes_[t] = static_cast<std::uint32_t>(codes[i[0]] | codes[i[1]] | codes[i[2]]);
-    });
-    std::fill_n(codes_ + count, kRoom, 0);  // rejected
-  }
-
-  // Of a block's triangles, the first of which is `first` here and `number` in the mesh: numbers of those
-  // inside go to the writer, others that survive to the list.
-  HWY_INLINE void sort(std::size_t first, std::size_t count, std::size_t number, Writer& writer,
-                       Survivors& out) const {
-    const hn::ScalableTag<std::uint32_t> d;
-    const auto surviving = hn::Set(d, kSurvivingCodes);
-    for (std::size_t t = 0; t < count; t += hn::Lanes(d)) {
-      const std::uint32_t* const at = codes_ + first + t;
-      const auto codes = hn::LoadU(d, at);
-      const auto survives = hn::Eq(hn::And(codes, surviving), surviving);
-      if (hn::AllFalse(d, survives)) continue;
-      const auto inside = hn::Eq(codes, hn::Set(d, kInsideCodes));
-      writer.inside = append_numbers(d, number + t, inside, writer.inside);
-      for (unsigned rest = mask_bits(d, hn::AndNot(inside, survives)); rest != 0;
-           rest &= rest - 1) {
-        const int lane = std::countr_zero(rest);
-        out.triangle[out.count] = static_cast<std::uint16_t>(t + static_cast<std::size_t>(lane));
-        out.any[out.count++] = static_cast<std::uint8_t>(at[lane]);
-      }
-    }
-  }
-
- private:
-  static constexpr std::size_t kRoom = 16;  // that whole vectors are read in
-  std::uint32_t codes_[kGroup + kRoom];
-};
 
 // The stage in its contracts, one call of one of them: the cutter with the plain version behind it, and what
 // a block of triangles needs.
@@ -340,20 +206,17 @@ class Stage {
 
   void indexed(const IndexedMesh& mesh) {
     std::uint16_t* const codes = access_.codes(mesh.vertices.count);
-    classify_vertices(cutter_.shape, cutter_.limits, mesh.vertices, codes);
-    MeshGroup group;
-    for_each_block<kGroup>(mesh.indices.size() / 3, [&](std::size_t first, std::size_t count) {
+    classify_vertices(cutter_.limits, mesh.vertices, cutter_.shape.floats(), codes);
+    MeshBlock block;
+    for_each_block(mesh.indices.size() / 3, [&](std::size_t first, std::size_t count) {
       const auto indices = mesh.indices.subspan(3 * first, 3 * count);
-      group.classify(codes, indices);
-      for_each_block(count, [&](std::size_t begin, std::size_t size) {
-        Writer writer = access_.block(size);
-        const std::uint32_t* const inside = writer.inside;
-        survivors_.count = 0;
-        group.sort(begin, size, first + begin, writer, survivors_);
-        count_uncut(size, inside, writer);
-        cut_survivors(mesh.vertices.data, indices.data() + 3 * begin, first + begin, writer);
-        access_.commit(writer);
-      });
+      Writer writer = access_.block(count);
+      const std::uint32_t* const inside = writer.inside;
+      block.classify(codes, indices);
+      block.sort(count, first, writer, survivors_);
+      count_uncut(count, inside, writer);
+      cut_survivors(mesh.vertices.data, indices.data(), first, writer);
+      access_.commit(writer);
     });
   }
 

@@ -7,28 +7,12 @@
 // characters rightly, and '?' is drawn for them.
 #pragma once
 
-#include <OpenImageIO/imagebuf.h>
-
-#include <string>
+#include <memory>
 #include <string_view>
 
-#include "experiments/render/image.hpp"
+#include "experiments/render/image_library.hpp"
 
 namespace clipscope::experiments {
-
-enum class Align { left, center, right };
-enum class Weight { regular, bold };
-
-struct TextStyle {
-  int size_px = 16;  // the font's em
-  Weight weight = Weight::regular;
-  Align align = Align::left;
-  Rgb colour = {0, 0, 0};
-};
-
-struct Area {
-  int x = 0, y = 0, width = 0, height = 0;
-};
 
 class Canvas {
  public:
@@ -45,7 +29,7 @@ class Canvas {
   Image image() const;
 
  private:
-  OIIO::ImageBuf pixels_;  // sRGB-encoded: text is blended as screens and browsers do
+  std::unique_ptr<Pixels> pixels_;
 };
 
 // The width of a text in pixels. Throws OutputError without a font.

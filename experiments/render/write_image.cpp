@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Writing a figure: PNG for the eye, EXR for further work. See figure.hpp.
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 
 #include "experiments/errors.hpp"
 #include "experiments/render/figure.hpp"
+#include "experiments/render/image_library.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -27,15 +27,8 @@ std::string lower_extension(const fs::path& path) {
   return extension;
 }
 
-// Interleaved pixel values ready for OpenImageIO.
-struct Raster {
-  OIIO::ImageSpec spec;
-  std::vector<float> values;
-};
-
 Raster png_raster(const Image& image) {
-  Raster r{OIIO::ImageSpec(image.width, image.height, 3, OIIO::TypeDesc::UINT8), {}};
-  r.spec.attribute("oiio:ColorSpace", "sRGB");
+  Raster r{image.width, image.height, {"R", "G", "B"}, {}};
   r.values.reserve(image.pixels.size() * 3);
   for (const Rgb& pixel : image.pixels) {
     for (const float channel : pixel) {
@@ -83,13 +76,10 @@ Raster exr_raster(const Figure& figure, const Image& picture) {
     channels.push_back(
         {"fate", [map](std::size_t p) { return static_cast<double>(map->fate[p]); }});
   }
-  const auto n = static_cast<int>(channels.size());
-  Raster r{OIIO::ImageSpec(picture.width, picture.height, n, OIIO::TypeDesc::FLOAT), {}};
-  r.spec.channelnames.clear();
+  Raster r{picture.width, picture.height, {}, {}};
   for (const Channel& channel : channels) {
-    r.spec.channelnames.push_back(channel.name);
+    r.channels.push_back(channel.name);
   }
-  r.spec.attribute("compression", "zip");
   r.values.reserve(picture.pixels.size() * channels.size());
   for (std::size_t p = 0; p < picture.pixels.size(); ++p) {
     for (const Channel& channel : channels) {
@@ -128,19 +118,11 @@ class PartialFile {
   fs::path final_path_, path_;
 };
 
-void write(const fs::path& path, const std::string& format, const Raster& raster,
+void write(const fs::path& path, FileFormat format, const Raster& raster,
            const std::string& title) {
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
-  if (!output) {
-    fail(path, OIIO::geterror());
-  }
   const PartialFile partial(path);
-  OIIO::ImageSpec spec = raster.spec;
-  spec.attribute("ImageDescription", title);
-  spec.attribute("Software", "clipscope");
-  if (!output->open(partial.path().string(), spec) ||
-      !output->write_image(OIIO::TypeDesc::FLOAT, raster.values.data()) || !output->close()) {
-    fail(path, output->geterror());
+  if (const auto wrong = image_library().write(partial.path(), format, raster, title)) {
+    fail(path, *wrong);
   }
   partial.rename();
 }
@@ -163,12 +145,12 @@ void write_image(const fs::path& path, const Figure& figure) {
   if (lower_extension(path) == ".png") {
     write_png(path, compose(figure), title);
   } else {
-    write(path, "openexr", exr_raster(figure, shade(*figure.tested, figure.picture)), title);
+    write(path, FileFormat::exr, exr_raster(figure, shade(*figure.tested, figure.picture)), title);
   }
 }
 
 void write_png(const fs::path& path, const Image& image, const std::string& title) {
-  write(path, "png", png_raster(image), title);
+  write(path, FileFormat::png, png_raster(image), title);
 }
 
 }  // namespace clipscope::experiments

@@ -46,6 +46,16 @@ MedianInterval limit_percent(const StageBytes& bytes, std::span<const double> sa
   return median_interval(percent);
 }
 
+// The fastest that was timed in a row's contract.
+const StageTiming& fastest_beside(const StageTiming& row, const std::vector<StageTiming>& rows) {
+  const StageTiming* fastest = &row;
+  for (const StageTiming& other : rows) {
+    if (other.contract != row.contract || other.timing.samples_ns.empty()) continue;
+    if (other.timing.ns.median < fastest->timing.ns.median) fastest = &other;
+  }
+  return *fastest;
+}
+
 }  // namespace
 
 StageRun::StageRun(StageContestant& contestant, const StageInput& input)
@@ -100,7 +110,8 @@ StageMeasurement measure_stage(const StageInput& input, const StageContestants& 
   for (std::size_t i = 0; i < contestants.size(); ++i) {
     StageContestant& c = *contestants[i];
     StageTiming& row = result.contestants.emplace_back();
-    row = {c.method(), c.scalar(), c.build(), std::string(contract_name(c.contract())), {}, {}, {}};
+    row = {c.method(), c.scalar(), c.build(), std::string(contract_name(c.contract())),
+           {},         {},         {},        {}};
     row.timing.refused = first_broken_promise(c, input, options.check);
     if (!row.timing.refused.empty() && i > 0) continue;
     auto run = std::make_unique<StageRun>(c, input);
@@ -127,6 +138,11 @@ StageMeasurement measure_stage(const StageInput& input, const StageContestants& 
     if (!row.timing.refused.empty()) continue;
     row.timing = timing_of(samples[r], samples[0]);
     row.limit_percent = limit_percent(row.bytes, samples[r], pass_samples, input);
+  }
+  for (StageTiming& row : result.contestants) {
+    if (row.timing.samples_ns.empty()) continue;
+    const StageTiming& fastest = fastest_beside(row, result.contestants);
+    row.times_fastest = median_interval(ratios(row.timing.samples_ns, fastest.timing.samples_ns));
   }
   return result;
 }

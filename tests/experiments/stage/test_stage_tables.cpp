@@ -11,9 +11,11 @@ namespace {
 
 StageTiming timing(const std::string& clipper, const std::string& build, double ns,
                    double speedup) {
-  StageTiming t{clipper, "float", build, "copy", {}, {.positions = 0, .rest = 96, .out = 64}, {}};
+  StageTiming t{clipper, "float", build, "copy", {}, {.positions = 0, .rest = 96, .out = 64},
+                {},      {}};
   t.timing.ns = {ns, ns - 1, ns + 1};
   t.timing.speedup = {speedup, speedup, speedup};
+  t.times_fastest = {ns / 10, ns / 11, ns / 9};
   t.limit_percent = {50, 40, 60};
   return t;
 }
@@ -47,6 +49,7 @@ TEST_CASE("stage tables: bytes and gigabytes per second are computed from the da
   CHECK(rows[0].text("clipper") == "copy everything");
   CHECK(rows[0].number("gigabytes_per_second") == Approx(2 * 96 / 4.0));
   CHECK_FALSE(rows[0].find_number("limit_percent"));
+  CHECK_FALSE(rows[0].find_number("times_fastest"));
   CHECK(rows[2].number("bytes_in") == 96);
   CHECK(rows[2].number("bytes_out") == 64);
   CHECK(rows[2].number("gigabytes_per_second") == Approx(160 / 10.0));

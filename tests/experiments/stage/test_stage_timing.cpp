@@ -42,6 +42,15 @@ class Recorder final : public StageContestant {
   std::vector<std::size_t>& seen_;
 };
 
+const StageTiming* fastest_of(const StageMeasurement& m, std::string_view contract) {
+  const StageTiming* fastest = nullptr;
+  for (const StageTiming& t : m.contestants) {
+    if (t.contract != contract) continue;
+    if (fastest == nullptr || t.timing.ns.median < fastest->timing.ns.median) fastest = &t;
+  }
+  return fastest;
+}
+
 }  // namespace
 
 TEST_CASE("stage timing: every honest contestant has a sample per round and its own ratio") {
@@ -55,9 +64,16 @@ TEST_CASE("stage timing: every honest contestant has a sample per round and its 
     CHECK(t.timing.ns.low > 0);
     CHECK(t.timing.speedup.median > 0);
     CHECK(t.limit_percent.median > 0);
+    CHECK(t.times_fastest.median > 0);
     CHECK(t.bytes.out > 0);
   }
   CHECK(m.contestants[0].timing.speedup.median == 1);
+  for (const char* contract : {"copy", "reference"}) {
+    const auto* fastest = fastest_of(m, contract);
+    REQUIRE(fastest != nullptr);
+    CHECK(fastest->times_fastest.median == 1);
+    CHECK(fastest->times_fastest.low == 1);
+  }
   REQUIRE(m.passes.size() == 3);
   for (const MemoryTiming& pass : m.passes) CHECK(pass.timing.ns.median > 0);
 }

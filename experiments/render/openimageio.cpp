@@ -104,6 +104,7 @@ OIIO::ImageSpec spec_of(FileFormat format, const Raster& raster) {
   spec.channelnames = raster.channels;
   if (png) {
     spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("png:filter", 8);  // none: figures are 14 % smaller without
   } else {
     spec.attribute("compression", "zip");
   }

@@ -68,6 +68,18 @@ std::string contract_text(const Table& stage, const std::string& mix, std::strin
   return text + ")";
 }
 
+// How much faster than textbook a clipper would be that does nothing but move the bytes of a contract.
+Series memory_limit(const Table& stage, std::string_view contract,
+                    const std::vector<std::string>& mixes) {
+  Series series{.name = "limit of memory", .x = {}, .y = {}, .muted = true};
+  for (const std::string& mix : mixes) {
+    const auto fastest = fastest_row(stage, mix, contract);
+    series.y.push_back(100 * fastest->number("speedup_to_textbook") /
+                       fastest->number("limit_percent"));
+  }
+  return series;
+}
+
 std::string growing_label(Growing growing) {
   switch (growing) {
     case Growing::triangles: return "triangles";
@@ -219,14 +231,15 @@ Plot stage_plot(const Table& stage, StageContract contract) {
             .title = fmt::format("The stage by {}: times faster than the textbook", name),
             .caption =
                 "Clip-space triangles in, clip-space polygons out; ratios to the textbook in the "
-                "same round, with 95 % intervals. Batch clippers in SIMD.",
+                "same round, with 95 % intervals. Batch clippers in SIMD. Grey: what moving the "
+                "same bytes takes, the limit of memory.",
             .x = {.label = "mix"},
             .y = {.label = "times faster than textbook"},
             .series = {}};
   std::map<std::string, std::map<std::string, RowView>> rows;  // by clipper, by mix
   std::vector<std::string> order;
   for (const RowView& row : rows_of(stage)) {
-    if (row.text("contract") != name || !is_best_build(row) ||
+    if (row.text("contract") != name || row.text("clipper") == "textbook" || !is_best_build(row) ||
         !row.find_number("speedup_to_textbook")) {
       continue;
     }
@@ -240,7 +253,7 @@ Plot stage_plot(const Table& stage, StageContract contract) {
   }
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (const std::string& label : order) {
-    Series series{.name = label, .x = {}, .y = {}, .muted = label.starts_with("textbook")};
+    Series series{.name = label, .x = {}, .y = {}};
     for (const std::string& mix : plot.categories) {
       const auto found = rows[label].find(mix);
       const auto number = [&](std::string_view key) {
@@ -252,6 +265,7 @@ Plot stage_plot(const Table& stage, StageContract contract) {
     }
     plot.series.push_back(std::move(series));
   }
+  if (!plot.series.empty()) plot.series.push_back(memory_limit(stage, name, plot.categories));
   return plot;
 }
 

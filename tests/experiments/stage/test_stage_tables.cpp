@@ -73,11 +73,13 @@ TEST_CASE("stage tables: the finding names the fastest and the price of correct 
   CHECK(stage_finding(cost_stage_table()) == "");
 }
 
-TEST_CASE("stage tables: the plot has a bar per clipper that was timed, plain builds left out") {
+TEST_CASE(
+    "stage tables: the plot has a bar per clipper that was timed in SIMD, and memory's limit") {
   const Plot plot = stage_plot(stage_rows(), StageContract::copy);
   REQUIRE(plot.series.size() == 3);
-  CHECK(plot.series[0].muted);
-  CHECK(plot.series[1].y == std::vector<double>{10});
+  CHECK(plot.series[0].y == std::vector<double>{10});
+  CHECK(plot.series[2].muted);
+  CHECK(plot.series[2].y == std::vector<double>{20});  // half of it is reached
   CHECK(plot.categories == std::vector<std::string>{"game_like"});
   CHECK(stage_plot(stage_rows(), StageContract::indexed).series.empty());
 }

@@ -106,8 +106,8 @@ class MeshBlock {
   }
 
  private:
-  static constexpr std::size_t kRun =
-      16;  // triangles at a time: their indices are three cache lines
+  // Triangles at a time: their indices are three cache lines.
+  static constexpr std::size_t kRun = 16;
 
   // Of two triangles. The number of loads bounds the speed, so six indices are read as three pairs.
   static HWY_INLINE void classify_two(const std::uint16_t* codes, const std::uint32_t* indices,

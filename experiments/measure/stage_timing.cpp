@@ -110,8 +110,7 @@ StageMeasurement measure_stage(const StageInput& input, const StageContestants& 
   for (std::size_t i = 0; i < contestants.size(); ++i) {
     StageContestant& c = *contestants[i];
     StageTiming& row = result.contestants.emplace_back();
-    row = {c.method(), c.scalar(), c.build(), std::string(contract_name(c.contract())),
-           {},         {},         {},        {}};
+    row = {c.method(), c.scalar(), c.build(), std::string(contract_name(c.contract()))};
     row.timing.refused = first_broken_promise(c, input, options.check);
     if (!row.timing.refused.empty() && i > 0) continue;
     auto run = std::make_unique<StageRun>(c, input);

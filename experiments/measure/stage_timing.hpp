@@ -54,10 +54,10 @@ class StageRun {
 
 struct StageTiming {
   std::string method, scalar, build, contract;
-  Timing timing;  // speedup: times faster than textbook in the same round
-  StageBytes bytes;
-  MedianInterval times_fastest;  // the time over that of the contract's fastest in the same round
-  MedianInterval limit_percent;  // the memory limit over the time of the same round
+  Timing timing = {};  // speedup: times faster than textbook in the same round
+  StageBytes bytes = {};
+  MedianInterval times_fastest = {};  // time over that of the contract's fastest, the same round
+  MedianInterval limit_percent = {};  // the memory limit over the time of the same round
 };
 
 struct MemoryTiming {

@@ -7,7 +7,6 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <system_error>
 #include <utility>
 

@@ -80,14 +80,13 @@ struct alignas(32) ViewLimits {
 };
 
 // Asks memory for what is needed soon.
-inline constexpr std::size_t kLine = 64;  // bytes of a cache line
 HWY_INLINE void prefetch_floats(const float* p, std::size_t count) {
   for (std::size_t i = 0; i < count; i += 16) hwy::Prefetch(p + i);
   if (count != 0) hwy::Prefetch(p + count - 1);
 }
 // The lines of so many bytes, further on by more than the processor looks ahead; they need not exist.
 HWY_INLINE void prefetch_ahead(const void* p, std::size_t bytes) {
-  constexpr std::size_t kAhead = 2048;
+  constexpr std::size_t kAhead = 2048, kLine = 64;
   const auto from = reinterpret_cast<std::uintptr_t>(p) + kAhead;
   for (std::size_t i = 0; i < bytes; i += kLine) {
     hwy::Prefetch(reinterpret_cast<const char*>(from + i));

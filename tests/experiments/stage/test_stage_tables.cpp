@@ -11,8 +11,8 @@ namespace {
 
 StageTiming timing(const std::string& clipper, const std::string& build, double ns,
                    double speedup) {
-  StageTiming t{clipper, "float", build, "copy", {}, {.positions = 0, .rest = 96, .out = 64},
-                {},      {}};
+  StageTiming t{clipper, "float", build, "copy"};
+  t.bytes = {.positions = 0, .rest = 96, .out = 64};
   t.timing.ns = {ns, ns - 1, ns + 1};
   t.timing.speedup = {speedup, speedup, speedup};
   t.times_fastest = {ns / 10, ns / 11, ns / 9};

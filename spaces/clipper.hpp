@@ -112,29 +112,30 @@ concept Clipper = std::is_empty_v<C> && std::default_initializable<C> && require
 
 // The call operators of a clipper that starts at clip coordinates. What it does there is the static
 // Steps::clip(volume, primitive, out), which says by its types what it takes. Steps may be the clipper
-// itself.
+// itself, which is incomplete where its base is made; Self puts the question off until the call. Up to
+// clang 15 a constraint that names an incomplete class is false, without a word.
 template <class Steps>
 struct StartsInClipSpace {
-  template <Scalar T, int K, std::size_t N>
+  template <Scalar T, int K, std::size_t N, class Self = Steps>
   requires requires(const ClipVolume& volume, const Simplex<Space::clip, T, K, N>& primitive,
                     NdcPolygon<T, K>& out) {
-    Steps::clip(volume, primitive, out);
+    Self::clip(volume, primitive, out);
   }
   constexpr void operator()(const Projection<T>& projection,
                             const Simplex<Space::view, T, K, N>& primitive,
                             NdcPolygon<T, K>& out) const {
-    Steps::clip(projection.volume, to_clip(projection, primitive), out);
+    Self::clip(projection.volume, to_clip(projection, primitive), out);
   }
 
-  template <Scalar T, int K, std::size_t N>
+  template <Scalar T, int K, std::size_t N, class Self = Steps>
   requires requires(const ClipVolume& volume, const Simplex<Space::clip, T, K, N>& primitive,
                     NdcPolygon<T, K>& out) {
-    Steps::clip(volume, primitive, out);
+    Self::clip(volume, primitive, out);
   }
   constexpr void operator()(const ClipVolume& volume,
                             const Simplex<Space::clip, T, K, N>& primitive,
                             NdcPolygon<T, K>& out) const {
-    Steps::clip(volume, primitive, out);
+    Self::clip(volume, primitive, out);
   }
 };
 
@@ -142,29 +143,29 @@ struct StartsInClipSpace {
 // Steps::clip(volume, positions, source, out), where `source` gives the attributes.
 template <class Steps>
 struct StartsAtClipPositions {
-  template <Scalar T, int K>
+  template <Scalar T, int K, class Self = Steps>
   requires requires(const ClipVolume& volume, const std::array<Vec4<T>, 3>& positions,
                     const ViewTriangle<T, K>& source, NdcPolygon<T, K>& out) {
-    Steps::clip(volume, positions, source, out);
+    Self::clip(volume, positions, source, out);
   }
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
-    Steps::clip(
+    Self::clip(
         projection.volume,
         {to_clip(projection, triangle[0].position), to_clip(projection, triangle[1].position),
          to_clip(projection, triangle[2].position)},
         triangle, out);
   }
 
-  template <Scalar T, int K>
+  template <Scalar T, int K, class Self = Steps>
   requires requires(const ClipVolume& volume, const std::array<Vec4<T>, 3>& positions,
                     const ClipTriangle<T, K>& source, NdcPolygon<T, K>& out) {
-    Steps::clip(volume, positions, source, out);
+    Self::clip(volume, positions, source, out);
   }
   constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
-    Steps::clip(volume, {triangle[0].position, triangle[1].position, triangle[2].position},
-                triangle, out);
+    Self::clip(volume, {triangle[0].position, triangle[1].position, triangle[2].position}, triangle,
+               out);
   }
 };
 
@@ -173,5 +174,33 @@ template <class... Ts>
 struct TypeList {
   static constexpr int size = sizeof...(Ts);
 };
+
+// An entry of a list of clippers: C, and whether its call operators take clip-space primitives beside
+// view-space ones. The list holds C to that, so that none is missing where a compiler rejects a
+// constraint.
+template <class C, bool kTakesClipSpace>
+struct ClipperEntry {
+  template <std::size_t N>
+  struct Checked {
+    static_assert(Clipper<C, N>, "the call operators take no view-space primitive");
+    static_assert(ClipsClipSpace<C, float, 4, N> == kTakesClipSpace,
+                  "the call operators take other spaces than the list of clippers says");
+    using type = C;
+  };
+};
+template <class C>
+using ViewOnly = ClipperEntry<C, false>;
+template <class C>
+using ViewAndClip = ClipperEntry<C, true>;
+
+// The list of the clippers of primitives with N vertices.
+template <std::size_t N, class... Entries>
+using ClipperList = TypeList<typename Entries::template Checked<N>::type...>;
+template <class... Entries>
+using TriangleClippers = ClipperList<3, Entries...>;
+template <class... Entries>
+using SegmentClippers = ClipperList<2, Entries...>;
+template <class... Entries>
+using PointClippers = ClipperList<1, Entries...>;
 
 }  // namespace clipscope

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The list of all clippers. To add one: write its header, include it here and add its name to the
-// list; everything else (program, experiments, contract tests) follows from that. Where it exists, by
-// scalar and input, is what its call operators take (`ClipsViewSpace`, `ClipsClipSpace`).
+// list, with the spaces that it takes; everything else (program, experiments, contract tests) follows
+// from that. In which scalars it exists is what its call operators take.
 #pragma once
 
 #include "spaces/barycentric/correctly_rounded.hpp"
@@ -27,42 +27,42 @@
 
 namespace clipscope {
 
-using AllClippers = TypeList<Textbook,                                    //
-                             ViewSutherlandHodgman,                       //
-                             ViewExactSign,                               //
-                             ViewUnitNormals,                             //
-                             HomogeneousSutherlandHodgman,                //
-                             HomogeneousNearLast,                         //
-                             HomogeneousWFirst<WPlane::zero>,             //
-                             HomogeneousWFirst<WPlane::smallest_normal>,  //
-                             HomogeneousWFirst<WPlane::one_16384th>,      //
-                             HomogeneousWFirst<WPlane::one_100000th>,     //
-                             HomogeneousPipeline,                         //
-                             BlinnNewell,                                 //
-                             HomogeneousGuardBand,                        //
-                             CvvNaive,                                    //
-                             CvvPerspective,                              //
-                             CvvNearFirst,                                //
-                             DistanceMatrix,                              //
-                             CorrectlyRounded,                            //
-                             WholeAnyOutside,                             //
-                             WholeAllOutside>;
+using AllClippers = TriangleClippers<ViewAndClip<Textbook>,                                    //
+                                     ViewOnly<ViewSutherlandHodgman>,                          //
+                                     ViewOnly<ViewExactSign>,                                  //
+                                     ViewOnly<ViewUnitNormals>,                                //
+                                     ViewAndClip<HomogeneousSutherlandHodgman>,                //
+                                     ViewAndClip<HomogeneousNearLast>,                         //
+                                     ViewAndClip<HomogeneousWFirst<WPlane::zero>>,             //
+                                     ViewAndClip<HomogeneousWFirst<WPlane::smallest_normal>>,  //
+                                     ViewAndClip<HomogeneousWFirst<WPlane::one_16384th>>,      //
+                                     ViewAndClip<HomogeneousWFirst<WPlane::one_100000th>>,     //
+                                     ViewAndClip<HomogeneousPipeline>,                         //
+                                     ViewAndClip<BlinnNewell>,                                 //
+                                     ViewAndClip<HomogeneousGuardBand>,                        //
+                                     ViewAndClip<CvvNaive>,                                    //
+                                     ViewAndClip<CvvPerspective>,                              //
+                                     ViewAndClip<CvvNearFirst>,                                //
+                                     ViewAndClip<DistanceMatrix>,                              //
+                                     ViewAndClip<CorrectlyRounded>,                            //
+                                     ViewAndClip<WholeAnyOutside>,                             //
+                                     ViewAndClip<WholeAllOutside>>;
 
-// Clippers of segments: ViewSegment and, where the method starts at clip coordinates, ClipSegment.
-using AllSegmentClippers = TypeList<ViewCyrusBeck,                       //
-                                    HomogeneousCohenSutherland,          //
-                                    HomogeneousLiangBarsky,              //
-                                    HomogeneousLiangBarskyDivisionFree,  //
-                                    CvvCohenSutherland,                  //
-                                    CvvLiangBarsky,                      //
-                                    CvvLiangBarskyDivisionFree,          //
-                                    CvvLiangBarskyNaive,                 //
-                                    WindowCohenSutherland,               //
-                                    WindowLiangBarsky,                   //
-                                    WindowLiangBarskyDivisionFree,       //
-                                    WindowNichollLeeNicholl>;
+// Clippers of segments.
+using AllSegmentClippers = SegmentClippers<ViewOnly<ViewCyrusBeck>,                          //
+                                           ViewAndClip<HomogeneousCohenSutherland>,          //
+                                           ViewAndClip<HomogeneousLiangBarsky>,              //
+                                           ViewAndClip<HomogeneousLiangBarskyDivisionFree>,  //
+                                           ViewAndClip<CvvCohenSutherland>,                  //
+                                           ViewAndClip<CvvLiangBarsky>,                      //
+                                           ViewAndClip<CvvLiangBarskyDivisionFree>,          //
+                                           ViewAndClip<CvvLiangBarskyNaive>,                 //
+                                           ViewAndClip<WindowCohenSutherland>,               //
+                                           ViewAndClip<WindowLiangBarsky>,                   //
+                                           ViewAndClip<WindowLiangBarskyDivisionFree>,       //
+                                           ViewAndClip<WindowNichollLeeNicholl>>;
 
 // Clippers of points, of size 0 unless a PointSize is given.
-using AllPointClippers = TypeList<PointPop, PointPopFree>;
+using AllPointClippers = PointClippers<ViewAndClip<PointPop>, ViewAndClip<PointPopFree>>;
 
 }  // namespace clipscope

@@ -3,7 +3,8 @@
 #
 # Follows "Add a clipper in three steps" of spaces/README.md to the letter in a copy of spaces/:
 # its code blocks are, in this order, the header, the #include and the entry of the list. The header
-# goes where the #include says. Then builds a program that looks the clipper up and runs it.
+# goes where the #include says. Then builds a program that looks the clipper up and runs it; listed as
+# taking less than it does, the clipper does not compile.
 # shellcheck source=tests/package/common.sh
 . "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
@@ -30,10 +31,17 @@ cp "$work/block1" "$tree/$path"
 list=$tree/spaces/clippers.hpp
 awk -v include="$include" -v entry="$entry" '
   /^#include "/ && !done { print include; done = 1 }
-  { if (sub(/using AllClippers = TypeList</, "&\n" entry "\n")) listed = 1; print }
+  { if (sub(/using AllClippers = TriangleClippers</, "&\n" entry "\n")) listed = 1; print }
   END { exit !(done && listed) }' "$root/spaces/clippers.hpp" >"$list" ||
   die "spaces/clippers.hpp has no #include or no list where spaces/README.md says"
 
 quietly "$CMAKE" -S "$root/tests/package/added" -B "$work/build" -DCLIPSCOPE_TREE="$tree"
 quietly "$CMAKE" --build "$work/build"
 "$work/build/app" "$name"
+
+text=$(<"$list")
+echo "${text/"$entry"/"${entry/ViewAndClip/ViewOnly}"}" >"$list"
+if "$CMAKE" --build "$work/build" >"$work/log" 2>&1; then
+  die "a clipper compiles that takes another space than the list says"
+fi
+grep -q 'other spaces than the list' "$work/log" || die "it is not the list that fails: $(cat "$work/log")"

@@ -32,7 +32,8 @@ struct Frustum {
   T shear_x = T(0), shear_y = T(0);  // oblique parallel projection; 0 for perspective
   DepthRange depth = DepthRange::minus_one_to_one;
 
-  friend constexpr bool operator==(const Frustum&, const Frustum&) = default;
+  // constexpr where the scalar's own is.
+  friend bool operator==(const Frustum&, const Frustum&) = default;
 };
 
 // The same frustum in another scalar; exact where T can hold the numbers given.

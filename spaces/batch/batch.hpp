@@ -148,7 +148,8 @@ void clip(Method method, const ClipVolume& volume, const IndexedMesh& mesh, Outp
 void clip(Method method, const Projection<float>& projection, const ViewVertexArray& triangles,
           Output& out, Build build = Build::simd);
 
-// The instruction set that Build::simd runs on: "AVX2" and so on.
+// The instruction set that Build::simd runs on: "AVX2" and so on; "plain" where none here has vectors of
+// doubles and the plain version answers.
 std::string target_name();
 
 }  // namespace clipscope::batch

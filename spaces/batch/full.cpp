@@ -3,15 +3,12 @@
 // The full contract's entry point: chooses the instruction set at run time, then the method and the number of
 // attributes (see stage.cpp).
 #include "spaces/batch/plain.hpp"
+#include "spaces/batch/targets.hpp"
 
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "spaces/batch/full.cpp"
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
-
-#define CLIPSCOPE_BATCH_HAS_SIMD (HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128)
 
 #if CLIPSCOPE_BATCH_HAS_SIMD
 #include "spaces/batch/full_rounded-inl.hpp"

@@ -4,17 +4,12 @@
 // attributes, which are template parameters below it.
 // 0 and 4 attributes have code of their own; other numbers share one.
 #include "spaces/batch/plain.hpp"
+#include "spaces/batch/targets.hpp"
 
-// SSE4, AVX2, AVX-512 and NEON remain: these gain nothing over them, or have vectors of no fixed size.
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "spaces/batch/stage.cpp"
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
-
-// Without vectors the plain version is the best that there is.
-#define CLIPSCOPE_BATCH_HAS_SIMD (HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128)
 
 #if CLIPSCOPE_BATCH_HAS_SIMD
 #include "spaces/batch/stage-inl.hpp"
@@ -23,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
 
-const char* target() { return hwy::TargetName(HWY_TARGET); }
+const char* target() { return CLIPSCOPE_BATCH_HAS_SIMD ? hwy::TargetName(HWY_TARGET) : "plain"; }
 
 #if !CLIPSCOPE_BATCH_HAS_SIMD
 

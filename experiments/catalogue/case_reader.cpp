@@ -12,6 +12,7 @@
 #include <set>
 #include <utility>
 
+#include "experiments/hex_float.hpp"
 #include "experiments/scenes/scene.hpp"
 #include "experiments/scenes/text_file.hpp"
 #include "reference/convex.hpp"
@@ -170,7 +171,7 @@ class CaseReader {
     if (double{as_float} != *value) {
       fail(
           fmt::format("found '{}', which no float holds; expected one that does: the nearest is {}",
-                      word, fmt::format("{:a}", as_float)));
+                      word, hex_float(as_float)));
     }
     return *value;
   }

@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "experiments/hex_float.hpp"
+
 namespace clipscope::experiments {
 namespace {
 
@@ -80,7 +82,8 @@ void add_rotated(Family& family) {
   const Relation relation = {.keeps_order = false};
   for (std::size_t i = 1; i < n; ++i) {
     HardCase c = original;
-    std::ranges::rotate(c.vertices, c.vertices.begin() + static_cast<std::ptrdiff_t>(i));
+    std::rotate(c.vertices.begin(), c.vertices.begin() + static_cast<std::ptrdiff_t>(i),
+                c.vertices.end());
     family.add(n == 2 ? "ends swapped" : fmt::format("rotated by {}", i), std::move(c), relation);
   }
   if (n > 2) {
@@ -239,7 +242,7 @@ std::vector<CaseVariant> special_values(const HardCase& hard_case) {
   for (const float value : values) {
     for_each_coordinate(hard_case, [&](HardCase& c, double& coordinate, const std::string& place) {
       coordinate = value;
-      family.add(fmt::format("{} = {:a}", place, value), std::move(c), std::nullopt);
+      family.add(fmt::format("{} = {}", place, hex_float(value)), std::move(c), std::nullopt);
     });
   }
   return family.take();

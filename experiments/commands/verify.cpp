@@ -15,6 +15,7 @@
 #include "experiments/commands/selection.hpp"
 #include "experiments/errors.hpp"
 #include "experiments/hard_cases/judge.hpp"
+#include "experiments/hex_float.hpp"
 #include "experiments/measure/batches.hpp"
 #include "experiments/measure/bit_promise.hpp"
 #include "experiments/measure/promise.hpp"
@@ -52,9 +53,9 @@ std::string hex_polygon(std::span<const NdcVertex<T, kSceneAttributes>> polygon)
   std::string text;
   for (const auto& v : polygon) {
     text += "   ";
-    for (int i = 0; i < 4; ++i) text += fmt::format(" {:a}", nearest_double(v.position[i]));
+    for (int i = 0; i < 4; ++i) text += " " + hex_float(nearest_double(v.position[i]));
     for (int k = 0; k < kSceneAttributes; ++k)
-      text += fmt::format(" {:a}", nearest_double(v.attributes[k]));
+      text += " " + hex_float(nearest_double(v.attributes[k]));
     text += '\n';
   }
   return text.empty() ? "    nothing\n" : text;
@@ -129,7 +130,8 @@ std::string hex_case(const HardCase& c) {
 std::string hex_answer(const CaseAnswer& answer) {
   std::string text;
   for (const std::array<double, 4>& p : answer.polygon) {
-    text += fmt::format("    {:a} {:a} {:a} {:a}\n", p[0], p[1], p[2], p[3]);
+    text += fmt::format("    {} {} {} {}\n", hex_float(p[0]), hex_float(p[1]), hex_float(p[2]),
+                        hex_float(p[3]));
   }
   return text.empty() ? "    nothing\n" : text;
 }

@@ -12,6 +12,7 @@
 
 #include "experiments/contestants/scalars.hpp"
 #include "experiments/errors.hpp"
+#include "experiments/hex_float.hpp"
 #include "spaces/vertex.hpp"
 
 namespace clipscope::experiments {
@@ -23,7 +24,7 @@ std::string format_scalar(const T& x, bool hex) {
   if constexpr (std::same_as<T, dd_real>) {
     if (!hex) return x.to_string(32);
   }
-  if (hex) return fmt::format("{:a}", nearest_double(x));
+  if (hex) return hex_float(nearest_double(x));
   if constexpr (ScalarTraits<T>::precision == 24)
     return fmt::format("{}", static_cast<float>(nearest_double(x)));
   return fmt::format("{}", nearest_double(x));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "experiments/errors.hpp"
+#include "experiments/hex_float.hpp"
 #include "experiments/report/row_view.hpp"
 
 namespace clipscope::experiments {
@@ -106,7 +107,7 @@ void add_depth_precision_row(Table& table, CellRecord& record, const DepthConven
                  m.error.ulp});
   record.worst_inputs.push_back(
       {fmt::format("{} {} far/near {:g}", convention.name, format_name(format), ratio), scalar,
-       "depth_ulp", m.error.ulp, fmt::format("0 0 {:a}", -m.error.distance), ""});
+       "depth_ulp", m.error.ulp, "0 0 " + hex_float(-m.error.distance), ""});
 }
 
 Table depth_curve_table(double ratio) {

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "experiments/hex_float.hpp"
 #include "experiments/scenes/scene.hpp"
 
 namespace clipscope::experiments {
@@ -58,8 +59,8 @@ std::string name(std::size_t i) {
 
 std::string complaint(std::size_t vertex, const Row& is, const Row& nearest) {
   const std::size_t i = difference(is, nearest, is.size());
-  return fmt::format("not correctly rounded: vertex {}, {} is {:a}, the nearest float {:a}", vertex,
-                     name(i), is[i], nearest[i]);
+  return fmt::format("not correctly rounded: vertex {}, {} is {}, the nearest float {}", vertex,
+                     name(i), hex_float(is[i]), hex_float(nearest[i]));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "experiments/experiment.hpp"
+#include "experiments/hex_float.hpp"
 #include "experiments/measure/batches.hpp"
 #include "experiments/perspective/affine_picture.hpp"
 #include "experiments/perspective/named_contestants.hpp"
@@ -38,7 +39,7 @@ void measure_ratios(const ExperimentContext& context, PerspectiveTables& tables)
                                   .seed = selection.seed};
   Progress progress("perspective: ratios", kRoots.size());
   for (const double root : kRoots) {
-    context.cell(fmt::format("root {:a}", root), {&tables.ratios},
+    context.cell("root " + hex_float(root), {&tables.ratios},
                  [&](CellRecord&) { add_ratio(tables.ratios, search_edges(root, options)); });
     progress.advance();
   }

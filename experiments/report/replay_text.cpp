@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "experiments/hex_float.hpp"
+
 namespace clipscope::experiments {
 
 std::string_view depth_option(DepthRange depth) {
@@ -15,17 +17,16 @@ std::string_view depth_option(DepthRange depth) {
 }
 
 std::string frustum_options(const Frustum<float>& f) {
-  return fmt::format("--{} {:a},{:a},{:a},{:a},{:a},{}",
-                     f.kind == ProjectionKind::perspective ? "frustum" : "ortho", f.left, f.right,
-                     f.bottom, f.top, f.near, f.infinite_far ? "inf" : fmt::format("{:a}", f.far));
+  return fmt::format("--{} {},{},{},{},{},{}",
+                     f.kind == ProjectionKind::perspective ? "frustum" : "ortho", hex_float(f.left),
+                     hex_float(f.right), hex_float(f.bottom), hex_float(f.top), hex_float(f.near),
+                     f.infinite_far ? "inf" : hex_float(f.far));
 }
 
 std::string hex_line(std::span<const reference::InputVertex> vertices, int dimension,
                      int attribute_count) {
   std::string text;
-  const auto add = [&](double value) {
-    text += fmt::format("{}{:a}", text.empty() ? "" : " ", value);
-  };
+  const auto add = [&](double value) { text += (text.empty() ? "" : " ") + hex_float(value); };
   for (const reference::InputVertex& v : vertices) {
     for (int c = 0; c < dimension; ++c) add(v.position[static_cast<std::size_t>(c)]);
     for (int k = 0; k < attribute_count; ++k) add(v.attributes[static_cast<std::size_t>(k)]);

@@ -55,7 +55,7 @@ std::size_t distinct_values(const DepthBuffer& buffer, std::span<const float> di
   std::vector<std::int64_t> codes;
   for (const float d : distances) codes.push_back(buffer.code(d));
   std::ranges::sort(codes);
-  return static_cast<std::size_t>(std::ranges::unique(codes).begin() - codes.begin());
+  return static_cast<std::size_t>(std::unique(codes.begin(), codes.end()) - codes.begin());
 }
 
 LargestError largest_error(const DepthBuffer& buffer, std::span<const float> distances,

@@ -20,7 +20,7 @@ std::multiset<std::array<Point, 3>> surface_of(const Mesh& mesh) {
   for (const auto& t : mesh.triangles) {
     std::array<Point, 3> corners = {mesh.positions[t[0]], mesh.positions[t[1]],
                                     mesh.positions[t[2]]};
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
     surface.insert(corners);
   }
   return surface;

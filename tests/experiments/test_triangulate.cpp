@@ -11,7 +11,7 @@
 
 using namespace clipscope;
 using namespace clipscope::experiments;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 namespace {
 

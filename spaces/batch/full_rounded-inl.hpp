@@ -231,7 +231,6 @@ class FullRoundedClipper {
   // Stores the float nearest to all between the ends; whether there is only one. Fixed lanes are of no matter.
   static HWY_INLINE bool store_nearest(hn::Vec<D> low, hn::Vec<D> high, hn::Mask<D> fixed,
                                        float* out) {
-    const D d;
     const hn::Rebind<float, D> df;
     const hn::Rebind<std::uint32_t, D> du;
     const auto a = hn::DemoteTo(df, low), b = hn::DemoteTo(df, hn::IfThenElse(fixed, low, high));

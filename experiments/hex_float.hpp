@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers as hex floats, to the bit. The text is that of C's "%a" for the number as a double, whatever
-// the version of fmt, whose own "{:a}" writes zero and subnormal numbers in different ways.
+// Numbers as hex floats, to the bit. The text is that of C's "%a" for the number as a double; fmt's
+// "{:a}" is the same up to version 9, and writes zero as 0x0p-1022 from 10 on.
 #pragma once
 
 #include <cstddef>

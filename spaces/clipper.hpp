@@ -182,7 +182,7 @@ template <class C, bool kTakesClipSpace>
 struct ClipperEntry {
   template <std::size_t N>
   struct Checked {
-    static_assert(Clipper<C, N>, "the call operators take no view-space primitive");
+    static_assert(Clipper<C, N>, "no Clipper of view-space primitives with N vertices");
     static_assert(ClipsClipSpace<C, float, 4, N> == kTakesClipSpace,
                   "the call operators take other spaces than the list of clippers says");
     using type = C;

@@ -93,7 +93,7 @@ FrameBuffer draw_exact(const Scene& scene, const View& view, const PictureSize& 
   });
 }
 
-const View& find_view(const Scene& scene, const std::string& label) {
+const View& find_view(const Scene& scene, std::string_view label) {
   if (label.empty()) return scene.views.front();
   std::vector<std::string> labels;
   for (const View& view : scene.views) {

@@ -20,6 +20,6 @@ FrameBuffer draw_with(const AnyContestant& contestant, const Scene& scene, const
 FrameBuffer draw_exact(const Scene& scene, const View& view, const PictureSize& size);
 
 // Errors: UsageError listing the labels if the scene has no such view. An empty label is the first one.
-const View& find_view(const Scene& scene, const std::string& label);
+const View& find_view(const Scene& scene, std::string_view label);
 
 }  // namespace clipscope::experiments

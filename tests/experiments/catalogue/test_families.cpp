@@ -91,7 +91,7 @@ TEST_CASE("families: every variant has floats for coordinates and a label of its
   }
 }
 
-const HardCase& find(const std::string& name) {
+const HardCase& find(std::string_view name) {
   const std::vector<HardCase>& cases = builtin_catalogue();
   const auto found = std::ranges::find(cases, name, &HardCase::name);
   REQUIRE(found != cases.end());

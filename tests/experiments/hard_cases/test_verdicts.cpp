@@ -16,7 +16,7 @@ using namespace clipscope::experiments;
 
 namespace {
 
-const HardCase& case_named(const std::string& name) {
+const HardCase& case_named(std::string_view name) {
   const auto& all = builtin_catalogue();
   const auto found = std::ranges::find(all, name, &HardCase::name);
   REQUIRE(found != all.end());

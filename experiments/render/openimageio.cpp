@@ -23,8 +23,14 @@ constexpr std::array<FontFamily, 3> kFamilies = {{{"DejaVuSans", "DejaVuSans-Bol
                                                   {"LiberationSans-Regular", "LiberationSans-Bold"},
                                                   {"DroidSans", "DroidSans-Bold"}}};
 
+// Where Debian has them: two folders down, and from version 2.5 on the library looks one down only.
+constexpr const char* kFontFolders =
+    "/usr/share/fonts/truetype/dejavu:/usr/share/fonts/truetype/liberation:"
+    "/usr/share/fonts/truetype/droid";
+
 const char* font_name(Weight weight) {
   static const FontFamily* const family = [] {
+    OIIO::attribute("font_searchpath", kFontFolders);
     const auto* found = std::ranges::find_if(kFamilies, [](const FontFamily& f) {
       return OIIO::ImageBufAlgo::text_size("x", 16, f.regular).defined() &&
              OIIO::ImageBufAlgo::text_size("x", 16, f.bold).defined();

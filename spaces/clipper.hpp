@@ -101,6 +101,22 @@ concept ClipsClipSpace = requires(const C clip, const ClipVolume& volume,
   clip(volume, primitive, out);
 };
 
+// Optional: the step before the divide alone. C::cut gives the polygon inside the volume: nothing,
+// which is also what it gives where a coordinate overflows, or at least three vertices with w > 0.
+// `divide` (homogeneous/divide.hpp) makes of it the answer of the call operator, bit for bit. A
+// clipper of which that is not true says so.
+template <class C, class T, int K>
+concept CutsInClipSpace = requires(const ClipVolume& volume, const ClipTriangle<T, K>& triangle) {
+  { C::cut(volume, triangle) } -> std::same_as<ClipPolygon<T, K>>;
+};
+
+// The same of a method that cuts in view space, where there is no w.
+template <class C, class T, int K>
+concept CutsInViewSpace = requires(const Projection<T>& projection,
+                                   const ViewTriangle<T, K>& triangle) {
+  { C::cut(projection, triangle) } -> std::same_as<ViewPolygon<T, K>>;
+};
+
 // A clipper of primitives with N vertices.
 template <class C, std::size_t N = 3>
 concept Clipper = std::is_empty_v<C> && std::default_initializable<C> && requires {

@@ -20,7 +20,7 @@
 // Attributes that are not finite are interpolated in double without a promise; a triangle that is cut
 // by a clip distance that is not finite yields nothing.
 //
-// The stage before the divide is there as well: the polygon in clip coordinates, rounded likewise.
+// `cut` rounds likewise, in clip coordinates: dividing its polygon rounds again.
 //
 // Source: this project; of the parts, see distance_matrix.hpp, exact_corners.hpp and exact_lines.hpp.
 // Does not guarantee: anything in other rounding modes than to nearest, or with subnormals flushed.
@@ -80,12 +80,12 @@ struct CorrectlyRounded {
   // NDC, all with an exact w > 0, which may round to 0. Nothing overflows, since all lies between the
   // vertices of the triangle.
   template <int K, class Count = barycentric::CountNothing>
-  static void stage(const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
-                    ClipPolygon<float, K>& out, Count&& count = {}) {
-    out.clear();
+  static ClipPolygon<float, K> cut(const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
+                                   Count&& count = {}) {
+    ClipPolygon<float, K> out;
     const Coordinates coordinates = barycentric::clip_coordinates(triangle);
     barycentric::CutTriangle cut;
-    if (!barycentric::cut_clip_triangle(volume, triangle, coordinates, cut, count)) return;
+    if (!barycentric::cut_clip_triangle(volume, triangle, coordinates, cut, count)) return out;
     const barycentric::ClipPoints points(volume.depth, coordinates);
     for (const barycentric::Corner& corner : cut.corners) {
       if (side(corner.at, points.w(), count) <= 0) continue;
@@ -100,6 +100,7 @@ struct CorrectlyRounded {
       out.push_back(v);
     }
     out.drop_if_degenerate();
+    return out;
   }
 
   // The stages that settle a batch. Where: the projection of view-space triangles, or a volume.

@@ -55,21 +55,64 @@ struct DistanceMatrix : StartsAtClipPositions<DistanceMatrix> {
       divide_inside(volume, positions, source, out);
       return;
     }
-    for (const Vec4<T>& p : positions) {
-      for (int c = 0; c < 4; ++c) {
-        if (!is_finite(p[c])) return;
-      }
-    }
-    Corners<T> corners = whole_triangle<T>(), other;
-    for_each_plane(code.any, kAllPlanes, [&](Plane plane) {
-      cut_corners(corners, row(volume.depth, plane, positions, source), other);
-      std::swap(corners, other);
-    });
-    for (const Corner<T>& corner : corners) {
-      append_vertex(volume.depth, corner, positions, source, out);
-    }
+    for_each_corner(volume.depth, code.any, positions, source,
+                    [&](const WeightedVertex<T, K>& v, Outcode on) {
+                      NdcVertex<T, K> ndc = to_ndc(v);
+                      set_on_planes(volume.depth, on, T(1), ndc.position);
+                      out.push_back(ndc);
+                    });
     out.drop_if_degenerate();
     clear_if_overflowed(out);
+  }
+
+  // A vertex as it comes out of the sums, before any quotient: clip coordinates times its weight.
+  template <Scalar T, int K>
+  struct WeightedVertex : ClipVertex<T, K> {
+    T weight;
+  };
+
+  // The divide of the call operator.
+  template <Scalar T, int K>
+  static constexpr NdcVertex<T, K> to_ndc(const WeightedVertex<T, K>& v) {
+    const auto& p = v.position;
+    const T x = p[0] / p[3];
+    const T y = p[1] / p[3];
+    const T z = p[2] / p[3];
+    const T inv_w = v.weight / p[3];
+    return {Vec4<T>(x, y, z, inv_w), v.attributes};
+  }
+
+  // The polygon before the divide: `to_ndc` of its vertices is the answer of the call operator.
+  template <HasSumOfProducts T, int K>
+  static constexpr VertexList<WeightedVertex<T, K>> cut_weighted(
+      const ClipVolume& volume, const ClipTriangle<T, K>& triangle) {
+    VertexList<WeightedVertex<T, K>> out;
+    const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
+      return clip_outcode(volume.depth, triangle[i].position);
+    });
+    if (code.all != 0) return out;
+    const std::array positions = {triangle[0].position, triangle[1].position, triangle[2].position};
+    for_each_corner(volume.depth, code.any, positions, triangle,
+                    [&](WeightedVertex<T, K> v, Outcode on) {
+                      const T w = v.position[3];
+                      set_on_planes(volume.depth, on, w, v.position);
+                      out.push_back(v);
+                    });
+    out.drop_if_degenerate();
+    return out;
+  }
+
+  // The same in clip coordinates. These are rounded, and a divide rounds again.
+  template <HasSumOfProducts T, int K>
+  static constexpr ClipPolygon<T, K> cut(const ClipVolume& volume,
+                                         const ClipTriangle<T, K>& triangle) {
+    ClipPolygon<T, K> polygon;
+    for (const WeightedVertex<T, K>& weighted : cut_weighted(volume, triangle)) {
+      ClipVertex<T, K> v = weighted;
+      for (int c = 0; c < 4; ++c) v.position[c] = v.position[c] / weighted.weight;
+      polygon.push_back(v);
+    }
+    return divisible<T, K>(polygon);
   }
 
  private:
@@ -166,44 +209,65 @@ struct DistanceMatrix : StartsAtClipPositions<DistanceMatrix> {
     }
   }
 
+  // f(vertex, planes) of each corner in front of the eye, and the planes that it lies on by
+  // construction; none of a triangle that is not finite.
+  template <Scalar T, Space S, int K, class F>
+  static constexpr void for_each_corner(DepthRange depth, Outcode planes,
+                                        const std::array<Vec4<T>, 3>& positions,
+                                        const Triangle<S, T, K>& source, F&& f) {
+    for (const Vec4<T>& p : positions) {
+      for (int c = 0; c < 4; ++c) {
+        if (!is_finite(p[c])) return;
+      }
+    }
+    Corners<T> corners = whole_triangle<T>(), other;
+    for_each_plane(planes, kAllPlanes, [&](Plane plane) {
+      cut_corners(corners, row(depth, plane, positions, source), other);
+      std::swap(corners, other);
+    });
+    for (const Corner<T>& corner : corners) {
+      WeightedVertex<T, K> v;
+      if (weigh(corner.lambda, positions, source, v)) f(v, corner.on);
+    }
+  }
+
+  // The vertex at lambda; whether it is in front of the eye.
   template <Scalar T, Space S, int K>
-  static constexpr void append_vertex(DepthRange depth, const Corner<T>& corner,
-                                      const std::array<Vec4<T>, 3>& positions,
-                                      const Triangle<S, T, K>& source, NdcPolygon<T, K>& out) {
-    const std::array<T, 3>& lambda = corner.lambda;
+  static constexpr bool weigh(const std::array<T, 3>& lambda,
+                              const std::array<Vec4<T>, 3>& positions,
+                              const Triangle<S, T, K>& source, WeightedVertex<T, K>& v) {
     const auto sum = [&](auto&& value) {
       const T r = dot(lambda, {value(0), value(1), value(2)});
       return r;
     };
-    const T weight = lambda[0] + lambda[1] + lambda[2];
-    const T w = sum([&](std::size_t i) { return positions[i][3]; });
-    if (!(T(0) < weight) || !(T(0) < w)) return;
-    NdcVertex<T, K> v;
-    for (int c = 0; c < 3; ++c) {
-      const T x = sum([&](std::size_t i) { return positions[i][c]; });
-      v.position[c] = x / w;
-    }
-    v.position[3] = weight / w;
-    set_exactly(depth, corner.on, v.position);
+    const auto coordinate = [&](int c) {
+      return sum([&](std::size_t i) { return positions[i][c]; });
+    };
+    v.weight = lambda[0] + lambda[1] + lambda[2];
+    v.position[3] = coordinate(3);
+    if (!(T(0) < v.weight) || !(T(0) < v.position[3])) return false;
+    for (int c = 0; c < 3; ++c) v.position[c] = coordinate(c);
     v.attributes.resize(source[0].attributes.size());
     for (int k = 0; k < v.attributes.size(); ++k) {
       const T a = sum([&](std::size_t i) { return source[i].attributes[k]; });
-      v.attributes[k] = a / weight;
+      v.attributes[k] = a / v.weight;
     }
-    out.push_back(v);
+    return true;
   }
 
+  // Sets the coordinates that the planes fix. `one` is w, or 1 in NDC.
   template <Scalar T>
-  static constexpr void set_exactly(DepthRange depth, Outcode on, Vec4<T>& ndc) {
+  static constexpr void set_on_planes(DepthRange depth, Outcode on, const T& one, Vec4<T>& v) {
     const bool gl = depth == DepthRange::minus_one_to_one;
-    const T low = gl ? T(-1) : T(0);
+    const T minus_one = -one;
+    const T low = gl ? minus_one : T(0);
     const bool reversed = depth == DepthRange::reversed;
-    if (on & bit(Plane::left)) ndc[0] = T(-1);
-    if (on & bit(Plane::right)) ndc[0] = T(1);
-    if (on & bit(Plane::bottom)) ndc[1] = T(-1);
-    if (on & bit(Plane::top)) ndc[1] = T(1);
-    if (on & bit(Plane::near)) ndc[2] = reversed ? T(1) : low;
-    if (on & bit(Plane::far)) ndc[2] = reversed ? T(0) : T(1);
+    if (on & bit(Plane::left)) v[0] = minus_one;
+    if (on & bit(Plane::right)) v[0] = one;
+    if (on & bit(Plane::bottom)) v[1] = minus_one;
+    if (on & bit(Plane::top)) v[1] = one;
+    if (on & bit(Plane::near)) v[2] = reversed ? one : low;
+    if (on & bit(Plane::far)) v[2] = reversed ? T(0) : one;
   }
 };
 

@@ -21,28 +21,20 @@ ClipVertex<To, K> vertex_cast(const ClipVertex<From, K>& v) {
   return r;
 }
 
-// Sutherland-Hodgman in T, rounded to float once at the end.
-template <std::floating_point T, int K>
-void clip_homogeneous(const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
-                      ClipPolygon<float, K>& out) {
+// Sutherland-Hodgman in double, rounded to float once at the end; nothing where that overflows.
+template <int K>
+void clip_homogeneous_double(const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
+                             ClipPolygon<float, K>& out) {
   out.clear();
-  const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
-    return clip_outcode(volume.depth, triangle[i].position);
-  });
-  if (code.all != 0) return;
-  ClipPolygon<T, K> polygon, scratch;
-  for (const ClipVertex<float, K>& v : triangle) polygon.push_back(vertex_cast<T>(v));
-  for (const ClipVertex<T, K>& v :
-       HomogeneousSutherlandHodgman::cut(volume, code.any, polygon, scratch)) {
-    if (T(0) < v.position[3]) out.push_back(vertex_cast<float>(v));
+  const ClipTriangle<double, K> wide = {vertex_cast<double>(triangle[0]),
+                                        vertex_cast<double>(triangle[1]),
+                                        vertex_cast<double>(triangle[2])};
+  bool finite = true;
+  for (const ClipVertex<double, K>& v : HomogeneousSutherlandHodgman::cut(volume, wide)) {
+    out.push_back(vertex_cast<float>(v));
+    finite = finite && has_finite_position(out[out.size() - 1]);
   }
-  out.drop_if_degenerate();
-  for (const ClipVertex<float, K>& v : out) {
-    if (!has_finite_position(v)) {
-      out.clear();
-      return;
-    }
-  }
+  if (!finite) out.clear();
 }
 
 // Decisions by the signs of rounded determinants. Used in place of a count of stages: see
@@ -144,10 +136,10 @@ void clip_stage(Method method, const ClipVolume& volume, const ClipTriangle<floa
                 ClipPolygon<float, K>& out) {
   switch (method) {
     case Method::view:
-    case Method::homogeneous: return clip_homogeneous<float>(volume, triangle, out);
-    case Method::homogeneous_double: return clip_homogeneous<double>(volume, triangle, out);
+    case Method::homogeneous: out = HomogeneousSutherlandHodgman::cut(volume, triangle); return;
+    case Method::homogeneous_double: return clip_homogeneous_double(volume, triangle, out);
     case Method::barycentric: return clip_barycentric(volume, triangle, out);
-    case Method::correctly_rounded: return CorrectlyRounded::stage(volume, triangle, out);
+    case Method::correctly_rounded: out = CorrectlyRounded::cut(volume, triangle); return;
   }
 }
 

@@ -31,37 +31,48 @@ struct BlinnNewell : StartsInClipSpace<BlinnNewell> {
   template <Scalar T, int K>
   static constexpr void clip(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
                              NdcPolygon<T, K>& out) {
-    out.clear();
-    if (!has_finite_positions(triangle)) return;
+    BoundedPolygon<T, K> polygon, scratch;
+    divide(cut(volume, triangle, polygon, scratch), out);
+  }
+
+  template <Scalar T, int K>
+  static constexpr ClipPolygon<T, K> cut(const ClipVolume& volume,
+                                         const ClipTriangle<T, K>& triangle) {
+    BoundedPolygon<T, K> polygon, scratch;
+    return divisible<T, K>(cut(volume, triangle, polygon, scratch));
+  }
+
+ private:
+  template <Scalar T, int K>
+  struct BoundedVertex : ClipVertex<T, K> {
+    std::array<T, kMaxPlanes> boundary;
+    int planes = kPlanes;
+  };
+  template <Scalar T, int K>
+  using BoundedPolygon = VertexList<BoundedVertex<T, K>>;
+
+  // What is left comes back in one of the two lists, both empty before.
+  template <Scalar T, int K>
+  static constexpr const BoundedPolygon<T, K>& cut(const ClipVolume& volume,
+                                                   const ClipTriangle<T, K>& triangle,
+                                                   BoundedPolygon<T, K>& polygon,
+                                                   BoundedPolygon<T, K>& scratch) {
+    if (!has_finite_positions(triangle)) return polygon;
     std::array<BoundedVertex<T, K>, 3> vertices;
     for (std::size_t i = 0; i < 3; ++i) {
       vertices[i] = bounded(volume, triangle[i]);
     }
     const OutcodeSummary code =
         summarize_outcodes(volume, triangle, [&](std::size_t i) { return outcode(vertices[i]); });
-    if (code.all != 0) return;
-    VertexList<BoundedVertex<T, K>> polygon, scratch;
+    if (code.all != 0) return polygon;
     polygon.assign(vertices);
-    const auto& rest = cut_by_planes(
+    return cut_by_planes(
         polygon, scratch, code.any, kAllPlanes,
         [](Plane plane, const BoundedVertex<T, K>& v) {
           return v.boundary[static_cast<std::size_t>(plane)];
         },
         meet<T, K>);
-    ClipPolygon<T, K> clipped;
-    for (const BoundedVertex<T, K>& v : rest) {
-      clipped.push_back(v.vertex);
-    }
-    divide(clipped, out);
   }
-
- private:
-  template <Scalar T, int K>
-  struct BoundedVertex {
-    ClipVertex<T, K> vertex;
-    std::array<T, kMaxPlanes> boundary;
-    int planes = kPlanes;
-  };
 
   template <Scalar T, int K>
   static constexpr BoundedVertex<T, K> bounded(const ClipVolume& volume,
@@ -86,7 +97,7 @@ struct BlinnNewell : StartsInClipSpace<BlinnNewell> {
   template <Scalar T, int K>
   static constexpr BoundedVertex<T, K> meet(const BoundedVertex<T, K>& inside,
                                             const BoundedVertex<T, K>& outside, const T& t) {
-    BoundedVertex<T, K> r{interpolate(inside.vertex, outside.vertex, t), {}, inside.planes};
+    BoundedVertex<T, K> r{interpolate(inside, outside, t), {}, inside.planes};
     for (std::size_t p = 0; p < static_cast<std::size_t>(r.planes); ++p) {
       r.boundary[p] = inside.boundary[p] + t * (outside.boundary[p] - inside.boundary[p]);
     }

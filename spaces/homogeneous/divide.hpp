@@ -8,10 +8,10 @@
 
 namespace clipscope {
 
-// Divides every vertex by its w into `out`. After clipping exactly, w is positive or the vertex is
-// (0, 0, 0, 0), which is outside by definition; a vertex whose w is not positive is left out.
-template <Scalar T, int K>
-constexpr void divide(const ClipPolygon<T, K>& in, NdcPolygon<T, K>& out) {
+// Divides every vertex of a list by its w into `out`. After clipping exactly, w is positive or the
+// vertex is (0, 0, 0, 0), which is outside by definition: where w is not positive it is left out.
+template <class Vertices, Scalar T, int K>
+constexpr void divide(const Vertices& in, NdcPolygon<T, K>& out) {
   out.clear();
   for (const ClipVertex<T, K>& v : in) {
     if (T(0) < v.position[3]) {
@@ -20,6 +20,22 @@ constexpr void divide(const ClipPolygon<T, K>& in, NdcPolygon<T, K>& out) {
   }
   out.drop_if_degenerate();
   clear_if_overflowed(out);
+}
+
+// What `divide` takes of a list, before it divides: the vertices with w > 0. Nothing if they are
+// fewer than three or one is not finite.
+template <Scalar T, int K, class Vertices>
+constexpr ClipPolygon<T, K> divisible(const Vertices& in) {
+  ClipPolygon<T, K> out;
+  bool finite = true;
+  for (const ClipVertex<T, K>& v : in) {
+    if (!(T(0) < v.position[3])) continue;
+    finite = finite && has_finite_position(v);
+    out.push_back(v);
+  }
+  if (!finite) out.clear();
+  out.drop_if_degenerate();
+  return out;
 }
 
 // Divides a triangle that is inside all planes into `out`: a vertex has w >= |x| >= 0 then; only

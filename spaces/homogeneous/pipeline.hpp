@@ -29,25 +29,26 @@ struct HomogeneousPipeline : StartsInClipSpace<HomogeneousPipeline> {
   template <Scalar T, int K>
   static constexpr void clip(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
                              NdcPolygon<T, K>& out) {
-    out.clear();
-    if (!has_finite_positions(triangle)) return;
-    Stream<T, K> stream(volume);
-    for (const ClipVertex<T, K>& v : triangle) {
-      stream.push(v);
-    }
-    divide(stream.finish(), out);
+    divide(Stream<T, K>(volume, triangle).finish(), out);
+  }
+
+  template <Scalar T, int K>
+  static constexpr ClipPolygon<T, K> cut(const ClipVolume& volume,
+                                         const ClipTriangle<T, K>& triangle) {
+    return divisible<T, K>(Stream<T, K>(volume, triangle).finish());
   }
 
  private:
   template <Scalar T, int K>
   class Stream {
    public:
-    explicit constexpr Stream(const ClipVolume& volume) : depth_(volume.depth) {
+    constexpr Stream(const ClipVolume& volume, const ClipTriangle<T, K>& triangle)
+        : depth_(volume.depth) {
+      if (!has_finite_positions(triangle)) return;
       for_each_plane(planes_of(volume), kAllPlanes,
                      [&](Plane plane) { stages_[stage_count_++].plane = plane; });
+      for (const ClipVertex<T, K>& v : triangle) push(0, v);
     }
-
-    constexpr void push(const ClipVertex<T, K>& v) { push(0, v); }
 
     // Closes the polygon in every stage.
     constexpr const ClipPolygon<T, K>& finish() {

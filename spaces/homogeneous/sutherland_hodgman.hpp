@@ -100,8 +100,22 @@ struct HomogeneousSutherlandHodgmanWith
     }
   }
 
-  // The step between transform and divide: what the planes of the code leave of the triangle in
-  // `polygon`, in clip space; nothing of one that isn't finite. It comes back in one of the two lists.
+  template <Scalar T, int K>
+  static constexpr ClipPolygon<T, K> cut(const ClipVolume& volume,
+                                         const ClipTriangle<T, K>& triangle) {
+    const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
+      return clip_outcode(volume.depth, triangle[i].position);
+    });
+    if (code.all != 0) return {};
+    const std::array positions = {triangle[0].position, triangle[1].position, triangle[2].position};
+    if (code.any == 0 && !is_behind_w_plane(positions)) return divisible<T, K>(triangle);
+    ClipPolygon<T, K> polygon, scratch;
+    polygon.assign(triangle);
+    return divisible<T, K>(cut(volume, code.any, polygon, scratch));
+  }
+
+  // The same by the planes of the code alone, of the triangle in `polygon`; with vertices that are
+  // not in front of the eye. It comes back in one of the two lists.
   template <Scalar T, int K>
   static constexpr const ClipPolygon<T, K>& cut(const ClipVolume& volume, Outcode planes,
                                                 ClipPolygon<T, K>& polygon,

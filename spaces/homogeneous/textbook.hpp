@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "spaces/clipper.hpp"
+#include "spaces/homogeneous/divide.hpp"
 #include "spaces/planes.hpp"
 
 namespace clipscope {
@@ -30,21 +31,19 @@ struct Textbook : StartsInClipSpace<Textbook> {
   template <Scalar T, int K>
   static void clip(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
                    NdcPolygon<T, K>& out) {
-    out.clear();
-    for (const ClipVertex<T, K>& v : cut(volume, triangle)) {
-      if (T(0) < v.position[3]) {
-        out.push_back(to_ndc(v));
-      }
-    }
-    out.drop_if_degenerate();
-    clear_if_overflowed(out);
+    divide(cut_planes(volume, triangle), out);
   }
 
-  // The part of the triangle in the volume, before the divide; it may have fewer than three vertices, and some
-  // with w = 0. Empty for a triangle that is not finite.
   template <Scalar T, int K>
-  static std::vector<ClipVertex<T, K>> cut(const ClipVolume& volume,
-                                           const ClipTriangle<T, K>& triangle) {
+  static ClipPolygon<T, K> cut(const ClipVolume& volume, const ClipTriangle<T, K>& triangle) {
+    return divisible<T, K>(cut_planes(volume, triangle));
+  }
+
+ private:
+  // Maybe fewer than three vertices, some with w = 0; nothing of a triangle that is not finite.
+  template <Scalar T, int K>
+  static std::vector<ClipVertex<T, K>> cut_planes(const ClipVolume& volume,
+                                                  const ClipTriangle<T, K>& triangle) {
     if (!has_finite_positions(triangle)) return {};
     std::vector<ClipVertex<T, K>> polygon(triangle.begin(), triangle.end());
     const std::array<Vec4<T>, kPlanes> planes = plane_vectors<T>(volume.depth);
@@ -62,7 +61,6 @@ struct Textbook : StartsInClipSpace<Textbook> {
     return polygon;
   }
 
- private:
   template <Scalar T>
   static std::array<Vec4<T>, kPlanes> plane_vectors(DepthRange depth) {
     const T o(0), i(1), m(-1);

@@ -45,15 +45,16 @@ struct ViewSutherlandHodgmanWith {
   static constexpr Promise promise{
       .ulps = kForm == PlaneForm::unit_normals ? kChainUlps + kPlanes * 4 : kChainUlps};
 
+  template <class T>
+  static constexpr bool kExistsIn = kForm == PlaneForm::unit_normals ? HasSquareRoot<T>
+                                    : kForm == PlaneForm::exact_sign ? HasSumOfProducts<T>
+                                                                     : true;
+
   template <Scalar T, int K>
-  requires(kForm != PlaneForm::unit_normals || HasSquareRoot<T>) &&
-      (kForm != PlaneForm::exact_sign || HasSumOfProducts<T>)  //
-      constexpr void
-      operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
-                 NdcPolygon<T, K>& out) const {
-    const OutcodeSummary code = summarize_outcodes(projection.volume, triangle, [&](std::size_t i) {
-      return position_outcode(projection, triangle[i].position);
-    });
+  requires kExistsIn<T>
+  constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
+                            NdcPolygon<T, K>& out) const {
+    const OutcodeSummary code = outcodes(projection, triangle);
     out.clear();
     if (code.all != 0) {
       return;
@@ -61,8 +62,29 @@ struct ViewSutherlandHodgmanWith {
     if (code.any == 0) {
       project(projection, triangle, out);
     } else if (has_finite_positions(triangle)) {
-      cut_planes(projection, triangle, code.any, out);
+      ViewPolygon<T, K> polygon, scratch;
+      polygon.assign(triangle);
+      project(projection, cut_planes(projection, code.any, polygon, scratch), out);
     }
+  }
+
+  template <Scalar T, int K>
+  requires kExistsIn<T>
+  static constexpr ViewPolygon<T, K> cut(const Projection<T>& projection,
+                                         const ViewTriangle<T, K>& triangle) {
+    const OutcodeSummary code = outcodes(projection, triangle);
+    ViewPolygon<T, K> out;
+    if (code.all != 0 || !has_finite_positions(triangle)) return out;
+    ViewPolygon<T, K> polygon, scratch;
+    polygon.assign(triangle);
+    bool finite = true;
+    for (const ViewVertex<T, K>& v : cut_planes(projection, code.any, polygon, scratch)) {
+      finite = finite && has_finite_position(v);
+      out.push_back(v);
+    }
+    if (!finite) out.clear();
+    out.drop_if_degenerate();
+    return out;
   }
 
  private:
@@ -77,6 +99,14 @@ struct ViewSutherlandHodgmanWith {
     }
   }
 
+  template <Scalar T, int K>
+  static constexpr OutcodeSummary outcodes(const Projection<T>& projection,
+                                           const ViewTriangle<T, K>& triangle) {
+    return summarize_outcodes(projection.volume, triangle, [&](std::size_t i) {
+      return position_outcode(projection, triangle[i].position);
+    });
+  }
+
   template <Scalar T>
   static constexpr Outcode position_outcode(const Projection<T>& projection, const Vec3<T>& v) {
     Outcode code = 0;
@@ -88,17 +118,16 @@ struct ViewSutherlandHodgmanWith {
     return code;
   }
 
+  // What is left comes back in one of the two lists.
   template <Scalar T, int K>
-  static constexpr void cut_planes(const Projection<T>& projection,
-                                   const ViewTriangle<T, K>& triangle, Outcode planes,
-                                   NdcPolygon<T, K>& out) {
-    ViewPolygon<T, K> polygon, scratch;
-    polygon.assign(triangle);
+  static constexpr const ViewPolygon<T, K>& cut_planes(const Projection<T>& projection,
+                                                       Outcode planes, ViewPolygon<T, K>& polygon,
+                                                       ViewPolygon<T, K>& scratch) {
     const auto plane_distance = [&](Plane plane, const ViewVertex<T, K>& v) {
       if (is_clip_distance(plane)) return v.attributes[clip_distance_index(plane)];
       return distance(projection, plane, v.position);
     };
-    project(projection, cut_by_planes(polygon, scratch, planes, kAllPlanes, plane_distance), out);
+    return cut_by_planes(polygon, scratch, planes, kAllPlanes, plane_distance);
   }
 
   template <Scalar T, int K, class Vertices>

@@ -13,11 +13,7 @@
 namespace clipscope::reference {
 namespace {
 
-Rows staged(const Case& c) {
-  ClipPolygon<float, kAttributes> out;
-  CorrectlyRounded::stage(c.volume, c.triangle, out);
-  return rows(out);
-}
+Rows staged(const Case& c) { return rows(CorrectlyRounded::cut(c.volume, c.triangle)); }
 
 // x_ndc / (1/w) and so on.
 float round_clip(const Fraction& ndc, const Fraction& inv_w) {

@@ -191,6 +191,21 @@ struct TypeList {
   static constexpr int size = sizeof...(Ts);
 };
 
+// Calls f.template operator()<T>() for each type of the list.
+template <class... Ts, class F>
+constexpr void for_each_type(TypeList<Ts...>, F&& f) {
+  (f.template operator()<Ts>(), ...);
+}
+
+// The place of T in a list, from 0 on.
+template <class T, class... Ts>
+constexpr int index_of(TypeList<Ts...>) {
+  static_assert((std::same_as<T, Ts> || ...));
+  int i = 0;
+  (void)((!std::same_as<T, Ts> && (++i, true)) && ...);
+  return i;
+}
+
 // An entry of a list of clippers: C, and whether its call operators take clip-space primitives beside
 // view-space ones. The list holds C to that, so that none is missing where a compiler rejects a
 // constraint.

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/contestants/batch_contestants.hpp"
 
-#include "spaces/barycentric/correctly_rounded.hpp"
-#include "spaces/barycentric/distance_matrix.hpp"
-#include "spaces/homogeneous/sutherland_hodgman.hpp"
-#include "spaces/view/sutherland_hodgman.hpp"
+#include "spaces/batch/methods.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -15,7 +12,7 @@ batch::Output& reused_output() {
   return output;
 }
 
-template <batch::Method kMethod>
+template <class M>
 void clip_view(const Projection<float>& projection,
                std::span<const ViewTriangle<float, kSceneAttributes>> triangles,
                PolygonStream<float, kSceneAttributes>& out) {
@@ -25,7 +22,7 @@ void clip_view(const Projection<float>& projection,
   static_assert(sizeof(Vertex) == (4 + kSceneAttributes) * sizeof(float));
   batch::Output& clipped = reused_output();
   batch::clip(
-      kMethod, projection,
+      batch::kMethod<M>, projection,
       {reinterpret_cast<const float*>(triangles.data()), 3 * triangles.size(), kSceneAttributes},
       clipped);
   const auto polygons = clipped.polygons();
@@ -40,7 +37,7 @@ void clip_view(const Projection<float>& projection,
              });
 }
 
-template <batch::Method kMethod>
+template <class M>
 void clip_one_view(const Projection<float>& projection,
                    const ViewTriangle<float, kRunTime>& triangle,
                    NdcPolygon<float, kRunTime>& out) {
@@ -52,7 +49,7 @@ void clip_one_view(const Projection<float>& projection,
     for (int k = 0; k < attributes; ++k) *next++ = v.attributes[k];
   }
   batch::Output& clipped = reused_output();
-  batch::clip(kMethod, projection, {flat.data(), 3, attributes}, clipped);
+  batch::clip(batch::kMethod<M>, projection, {flat.data(), 3, attributes}, clipped);
   out.clear();
   const std::span<const float> vertices = clipped.vertices();
   for (std::size_t i = 0; i < vertices.size(); i += clipped.stride()) {
@@ -64,56 +61,23 @@ void clip_one_view(const Projection<float>& projection,
   }
 }
 
-template <batch::Method kMethod>
-Contestant<float> contestant(std::string_view summary, std::string_view source,
-                             const Promise& promise) {
-  return {.name = batch_clipper_name(kMethod),
-          .summary = summary,
-          .source = source,
-          .promise = promise,
-          .view = clip_view<kMethod>,
-          .clip = nullptr,
-          .view_one = clip_one_view<kMethod>,
-          .clip_one = nullptr};
-}
-
 }  // namespace
 
-std::string_view batch_clipper_name(batch::Method method) {
-  switch (method) {
-    case batch::Method::view: return "view/batch";
-    case batch::Method::homogeneous: return "homogeneous/batch";
-    case batch::Method::homogeneous_double: return "homogeneous/batch_double";
-    case batch::Method::barycentric: return "barycentric/batch";
-    default: return "barycentric/correctly_rounded_batch";
-  }
-}
-
-// Of those that compute in more than float: every coordinate and attribute is rounded once, and a coordinate
-// times w by three roundings, which is less than projecting and dividing in float.
-constexpr Promise kRoundedOnce{.ulps = kProjectUlps};
-constexpr Promise kFromOriginals{
-    .ulps = kProjectUlps, .watertight = true, .rotation_invariant = false};
-
 std::vector<Contestant<float>> batch_contestants() {
-  using batch::Method;
-  const std::string_view literature = HomogeneousSutherlandHodgman::source;
-  const std::string_view matrix = DistanceMatrix::source;
-  return {
-      contestant<Method::view>("many triangles at once: Sutherland-Hodgman in view space, in SIMD",
-                               ViewSutherlandHodgman::source, ViewSutherlandHodgman::promise),
-      contestant<Method::homogeneous>(
-          "many triangles at once: Sutherland-Hodgman in clip space, in SIMD", literature,
-          HomogeneousSutherlandHodgman::promise),
-      contestant<Method::homogeneous_double>("the same in double, rounded to float once",
-                                             literature, kRoundedOnce),
-      contestant<Method::barycentric>(
-          "many triangles at once: every vertex from the three original ones, in double", matrix,
-          kFromOriginals),
-      contestant<Method::correctly_rounded>(
-          "many triangles at once: decisions exact, every float the nearest to the exact value",
-          CorrectlyRounded::source, CorrectlyRounded::promise),
-  };
+  std::vector<Contestant<float>> all;
+  for_each_type(batch::AllMethods{}, [&]<class M>() {
+    if constexpr (batch::HasFull<M>) {
+      all.push_back({.name = M::name,
+                     .summary = M::summary,
+                     .source = M::source,
+                     .promise = M::promise,
+                     .view = clip_view<M>,
+                     .clip = nullptr,
+                     .view_one = clip_one_view<M>,
+                     .clip_one = nullptr});
+    }
+  });
+  return all;
 }
 
 }  // namespace clipscope::experiments

@@ -108,6 +108,7 @@ Projection<T> projection_from(const Frustum<double>& f) {
       f.infinite_far, scalar_from<T>(f.shear_x), scalar_from<T>(f.shear_y), f.depth});
 }
 
+using clipscope::for_each_type;
 using clipscope::is_finite;
 
 // Whether every coordinate and attribute is neither NaN nor infinite.
@@ -135,11 +136,5 @@ inline Exact to_exact(double x) { return Exact(x); }
 inline Exact to_exact(const dd_real& x) { return Exact(Exact(x.x[0]) + Exact(x.x[1])); }
 inline Exact to_exact(const Exact& x) { return x; }
 inline Exact to_exact(const Counted& x) { return Exact(x.value()); }
-
-// Calls f.template operator()<T>() for each type of the list.
-template <class... Ts, class F>
-void for_each_type(TypeList<Ts...>, F&& f) {
-  (f.template operator()<Ts>(), ...);
-}
 
 }  // namespace clipscope::experiments

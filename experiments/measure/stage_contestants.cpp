@@ -5,8 +5,8 @@
 
 #include <stdexcept>
 
-#include "experiments/contestants/batch_contestants.hpp"
 #include "experiments/measure/staged.hpp"
+#include "spaces/batch/methods.hpp"
 #include "spaces/homogeneous/sutherland_hodgman.hpp"
 #include "spaces/homogeneous/textbook.hpp"
 
@@ -120,10 +120,19 @@ struct UndividedCut {
   }
 };
 
+// What the stage of a batch method promises.
+template <class M>
+constexpr StagePromise stage_promise() {
+  if (requires { typename M::BitsOf; }) return StagePromise::bits_of_scalar;
+  if (M::promise.correctly_rounded) return StagePromise::correctly_rounded;
+  return std::same_as<typename M::Number, float> ? StagePromise::float_chain
+                                                 : StagePromise::rounded_once;
+}
+
 class BatchStage final : public StageContestant {
  public:
   BatchStage(batch::Method method, StageContract contract, batch::Build build, StagePromise promise)
-      : StageContestant(std::string(batch_clipper_name(method)), "float",
+      : StageContestant(std::string(batch::name(method)), "float",
                         build == batch::Build::simd ? "simd" : "plain", contract, promise),
         clips_by_(method),
         build_(build) {}
@@ -171,10 +180,8 @@ std::unique_ptr<StageContestant> stage_sutherland_hodgman(std::string_view scala
 
 std::unique_ptr<StageContestant> stage_batch(batch::Method method, StageContract contract,
                                              batch::Build build) {
-  const StagePromise promise = method == batch::Method::homogeneous ? StagePromise::bits_of_scalar
-                               : method == batch::Method::correctly_rounded
-                                   ? StagePromise::correctly_rounded
-                                   : StagePromise::rounded_once;
+  StagePromise promise = StagePromise::float_chain;
+  batch::with_method(method, [&]<class M>() { promise = stage_promise<M>(); });
   return std::make_unique<BatchStage>(method, contract, build, promise);
 }
 

@@ -36,24 +36,38 @@
 #include <string_view>
 #include <vector>
 
+#include "spaces/clipper.hpp"
 #include "spaces/projection.hpp"
 #include "spaces/volume.hpp"
 
 namespace clipscope::batch {
 
+// The list of all methods: types, in methods.hpp, each with its source and promise. To add one:
+// write its header, include it there and add its name here; everything else follows.
+using AllMethods = TypeList<
+    // Cuts in view space, plane after plane, in float; full contract only.
+    struct ViewBatch,
+    // Sutherland-Hodgman in clip space in float: the bits of its plain twin.
+    struct HomogeneousBatch,
+    // The same in double, rounded to float once at the end.
+    struct HomogeneousBatchDouble,
+    // Every new vertex from the three original ones, in double, rounded once.
+    struct BarycentricBatch,
+    // Decisions exact, every float the one nearest to the exact value.
+    struct CorrectlyRoundedBatch>;
+
+// A method of the list as a value: its place there.
 enum class Method : std::uint8_t {
-  view,                // cuts in view space, plane after plane, in float; full contract only
-  homogeneous,         // Sutherland-Hodgman in clip space in float: the bits of its plain twin
-  homogeneous_double,  // the same in double, rounded to float once at the end
-  barycentric,         // every new vertex from the three original ones, in double, rounded once
-  correctly_rounded    // decisions exact, every float the one nearest to the exact value
+  view = index_of<ViewBatch>(AllMethods{}),
+  homogeneous = index_of<HomogeneousBatch>(AllMethods{}),
+  homogeneous_double = index_of<HomogeneousBatchDouble>(AllMethods{}),
+  barycentric = index_of<BarycentricBatch>(AllMethods{}),
+  correctly_rounded = index_of<CorrectlyRoundedBatch>(AllMethods{})
 };
-inline constexpr std::array kStageMethods = {Method::homogeneous, Method::homogeneous_double,
-                                             Method::barycentric, Method::correctly_rounded};
-inline constexpr std::array kFullMethods = {Method::view, Method::homogeneous,
-                                            Method::homogeneous_double, Method::barycentric,
-                                            Method::correctly_rounded};
-std::string_view name(Method method);  // "homogeneous" and so on
+template <class M>
+inline constexpr Method kMethod{index_of<M>(AllMethods{})};
+
+std::string_view name(Method method);  // "homogeneous/batch" and so on
 
 // Which code runs: a loop over triangles that the compiler makes of portable C++, or SIMD by Highway for the
 // best instruction set of this processor.
@@ -135,8 +149,8 @@ class Output {
   Tally tally_;
 };
 
-// The stage. Every call begins `out` anew. Pre-conditions: a method of kStageMethods; the counts of vertices and
-// of indices are multiples of three; fewer than 2^32 / 9 triangles.
+// The stage. Every call begins `out` anew. Pre-conditions: a method of kStageMethods (methods.hpp);
+// the counts of vertices and of indices are multiples of three; fewer than 2^32 / 9 triangles.
 void clip(Method method, const ClipVolume& volume, const VertexArray& triangles, Output& out,
           Build build = Build::simd);
 void clip(Method method, const ClipVolume& volume, const TriangleStreams& triangles, Output& out,

@@ -3,10 +3,10 @@
 // The full contract: view space in, NDC out. A block of triangles is brought into the space where it is
 // cut, classified and cut as in the stage, and divided.
 //
-//   view                             cut in view space, then projected
-//   homogeneous                      projected in float
-//   homogeneous_double, barycentric  projected, cut and divided in double; rounded to float at the end
-//   correctly_rounded                see full_rounded-inl.hpp
+//   by view planes     cut in view space, then projected
+//   computed in float  projected, cut and divided in float
+//   in double          projected, cut and divided in double; rounded to float at the end
+//   correctly rounded  see full_rounded-inl.hpp
 #if defined(CLIPSCOPE_BATCH_FULL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_FULL_INL
 #undef CLIPSCOPE_BATCH_FULL_INL
@@ -14,7 +14,7 @@
 #define CLIPSCOPE_BATCH_FULL_INL
 #endif
 
-#include "spaces/batch/plain_triangle.hpp"
+#include "spaces/batch/methods.hpp"
 #include "spaces/batch/stage-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -71,13 +71,9 @@ HWY_INLINE bool divide_to(const V* v, float* out) {
   return finite;
 }
 
-template <Method kMethod>
-inline constexpr bool kIsInDouble =
-    kMethod == Method::homogeneous_double || kMethod == Method::barycentric;
-
-template <Method kMethod, int K>
+template <class M, int K>
 class FullClipper {
-  using V = std::conditional_t<kIsInDouble<kMethod>, double, float>;
+  using V = typename M::Number;
   using S = Shape<K>;
 
  public:
@@ -112,8 +108,8 @@ class FullClipper {
     Survivors survivors;
   };
 
-  static Cutter<kMethod, K, V> make_cutter(const Projection<float>& projection, int attributes) {
-    if constexpr (kMethod == Method::view) {
+  static Cutter<M, K, V> make_cutter(const Projection<float>& projection, int attributes) {
+    if constexpr (kIsView<M>) {
       return {projection.frustum, attributes};
     } else {
       return {projection.volume.depth, attributes};
@@ -129,7 +125,7 @@ class FullClipper {
       std::memcpy(position, v, 3 * sizeof(float));
       v = position;
     }
-    if constexpr (kMethod == Method::view) {
+    if constexpr (kIsView<M>) {
       const auto p = hn::IfThenElse(hn::FirstN(kD4, 3), hn::LoadU(kD4, v), hn::Set(kD4, 1.0f));
       hn::StoreU(p, kD4, out);
     } else {
@@ -166,7 +162,7 @@ class FullClipper {
         if (vertices != kGiveUp) vertices = finish(memory.polygon, vertices, writer.next);
       }
       if (vertices == kGiveUp) {
-        vertices = plain::cut_full(kMethod, projection_, shape.attributes,
+        vertices = plain::cut_full(kMethod<M>, projection_, shape.attributes,
                                    block + 3 * t * (stride - 1), writer.next);
       }
       writer.add(first + t, vertices);
@@ -181,7 +177,7 @@ class FullClipper {
     bool finite = true;
     for (int i = 0; i < count; ++i, v += stride, out += stride) {
       copy_vertex(cutter_.shape, v, out);
-      if constexpr (kMethod == Method::view) {
+      if constexpr (kIsView<M>) {
         HWY_ALIGN float position[4];
         lanes_.project(v, position);
         finite = divide_to(position, out) && finite;
@@ -193,7 +189,7 @@ class FullClipper {
   }
 
   const Projection<float>& projection_;
-  const Cutter<kMethod, K, V> cutter_;
+  const Cutter<M, K, V> cutter_;
   const ProjectionLanes<V> lanes_;
 };
 

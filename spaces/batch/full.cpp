@@ -2,6 +2,7 @@
 //
 // The full contract's entry point: chooses the instruction set at run time, then the method and the number of
 // attributes (see stage.cpp).
+#include "spaces/batch/methods.hpp"
 #include "spaces/batch/plain.hpp"
 #include "spaces/batch/targets.hpp"
 
@@ -19,38 +20,30 @@ namespace clipscope::batch::HWY_NAMESPACE {
 
 #if CLIPSCOPE_BATCH_HAS_SIMD
 
-template <int K>
-void full_with(Method method, const Projection<float>& projection, const ViewVertexArray& in,
-               Output& out) {
-  const int n = in.attributes;
-  switch (method) {
-    case Method::view: return FullClipper<Method::view, K>(projection, n)(in, out);
-    case Method::homogeneous: return FullClipper<Method::homogeneous, K>(projection, n)(in, out);
-    case Method::homogeneous_double:
-      return FullClipper<Method::homogeneous_double, K>(projection, n)(in, out);
-    case Method::barycentric: return FullClipper<Method::barycentric, K>(projection, n)(in, out);
-    case Method::correctly_rounded: return FullRoundedClipper<K>(projection, n)(in, out);
+template <class M, int K>
+void full_with(const Projection<float>& projection, const ViewVertexArray& in, Output& out) {
+  if constexpr (!M::promise.correctly_rounded) {
+    FullClipper<M, K>(projection, in.attributes)(in, out);
+  } else if (FullRoundedClipper<M, K>::takes(projection.frustum)) {
+    FullRoundedClipper<M, K>(projection, in.attributes)(in, out);
+  } else {
+    plain::full(kMethod<M>, projection, in, out);
   }
-}
-
-// Distances to the planes of a sheared volume are not exact in double.
-bool needs_plain(Method method, const Frustum<float>& f) {
-  return method == Method::correctly_rounded && (f.shear_x != 0 || f.shear_y != 0);
 }
 
 void full(Method method, const Projection<float>& projection, const ViewVertexArray& in,
           Output& out) {
-  if (needs_plain(method, projection.frustum)) return plain::full(method, projection, in, out);
-  if (in.attributes == 4) return full_with<4>(method, projection, in, out);
-  full_with<kRunTime>(method, projection, in, out);
+  with_method(method, [&]<class M>() {
+    if constexpr (HasFull<M> && M::simd != Simd::none) {
+      if (in.attributes == 4) return full_with<M, 4>(projection, in, out);
+      full_with<M, kRunTime>(projection, in, out);
+    }
+  });
 }
 
 #else
 
-void full(Method method, const Projection<float>& projection, const ViewVertexArray& in,
-          Output& out) {
-  plain::full(method, projection, in, out);
-}
+using plain::full;
 
 #endif
 
@@ -65,7 +58,8 @@ HWY_EXPORT(full);
 void clip(Method method, const Projection<float>& projection, const ViewVertexArray& triangles,
           Output& out, Build build) {
   const ClipVolume& volume = projection.volume;
-  if (build == Build::plain || volume.depth_clamp || volume.clip_distances != 0) {
+  if (build == Build::plain || volume.depth_clamp || volume.clip_distances != 0 ||
+      !has_simd(method)) {
     return plain::full(method, projection, triangles, out);
   }
   HWY_DYNAMIC_DISPATCH(full)(method, projection, triangles, out);

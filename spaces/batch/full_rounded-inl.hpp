@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The full contract of the method correctly_rounded. Triangles are projected, cut and divided in double; where
-// a proved bound leaves only one nearest float for each coordinate and attribute, and only one side of a
-// plane for each corner, that is it. The others that survive go to the plain version.
+// The full contract of correctly rounded methods. Triangles are projected, cut and divided in
+// double; where a proved bound leaves only one nearest float for each coordinate and attribute, and
+// only one side of a plane for each corner, that is it. The others that survive go to the plain
+// version.
 //
 // Sides are exact: a distance is a sum of two products of floats, or of two floats, in double, and rounding
 // keeps its sign. That of a sheared projection has three terms, so all of its triangles go to the plain
@@ -76,9 +77,12 @@ struct Places {
 inline constexpr Places kPlaces[7] = {{},           {1, 2, 0, 3}, {3, 0, 2, 1}, {1, 0, 2, 0},
                                       {0, 1, 3, 2}, {1, 0, 2, 0}, {0, 0, 1, 2}};
 
-template <int K>
+template <class M, int K>
 class FullRoundedClipper {
  public:
+  // Distances to the planes of a sheared volume are not exact in double.
+  static bool takes(const Frustum<float>& f) { return f.shear_x == 0 && f.shear_y == 0; }
+
   FullRoundedClipper(const Projection<float>& projection, int attributes)
       : projection_(projection),
         attributes_(K == kRunTime ? static_cast<std::size_t>(attributes) : K),
@@ -143,8 +147,8 @@ class FullRoundedClipper {
        : one            ? tally.one_plane
                         : tally.planes);
     if (count == kGiveUp) {
-      count = plain::cut_full(Method::correctly_rounded, projection_, static_cast<int>(attributes_),
-                              triangle, writer.next);
+      count = plain::cut_full(kMethod<M>, projection_, static_cast<int>(attributes_), triangle,
+                              writer.next);
     }
     writer.add(number, count);
   }

@@ -132,9 +132,9 @@ ClipVertex<float, K> read_vertex(const float* v, int attributes) {
   return r;
 }
 
-template <Space S, int K>
-void write_polygon(const Polygon<S, float, K>& polygon, float* out) {
-  for (const Vertex<S, float, K>& v : polygon) {
+template <class Vertices>
+void write_vertices(const Vertices& vertices, float* out) {
+  for (const auto& v : vertices) {
     for (int c = 0; c < 4; ++c) *out++ = v.position[c];
     for (int k = 0; k < v.attributes.size(); ++k) *out++ = v.attributes[k];
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "spaces/batch/plain.hpp"
 
-#include "spaces/batch/plain_triangle.hpp"
+#include "spaces/batch/methods.hpp"
 
 namespace clipscope::batch::plain {
 namespace {
@@ -22,6 +22,32 @@ ClipTriangle<float, K> read_triangle(const float* const vertex[3], int attribute
   return r;
 }
 
+// Both return how many vertices the polygon has.
+template <int K>
+int write_cut(Method method, const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
+              float* out) {
+  int vertices = 0;
+  with_method(method, [&]<class M>() {
+    if constexpr (HasStage<M>) {
+      const ClipPolygon<float, K> polygon = M::cut(volume, triangle);
+      write_vertices(polygon, out);
+      vertices = polygon.size();
+    }
+  });
+  return vertices;
+}
+
+template <int K>
+int write_full(Method method, const Projection<float>& projection,
+               const ViewTriangle<float, K>& triangle, float* out) {
+  NdcPolygon<float, K> polygon;
+  with_method(method, [&]<class M>() {
+    if constexpr (HasFull<M>) M{}(projection, triangle, polygon);
+  });
+  write_vertices(polygon, out);
+  return polygon.size();
+}
+
 // Where the triangles that are inside go.
 enum class Inside { written, named };
 
@@ -32,7 +58,6 @@ void run(Method method, const ClipVolume& volume, std::size_t triangles, int att
   const OutputAccess access{out};
   access.begin(attributes);
   Tally& tally = access.tally();
-  ClipPolygon<float, K> polygon;
   for (std::size_t t = 0; t < triangles; ++t) {
     Writer writer = access.block(1);
     const ClipTriangle<float, K> triangle = triangle_at(t);
@@ -45,14 +70,11 @@ void run(Method method, const ClipVolume& volume, std::size_t triangles, int att
     tally.plain += code.all == 0 && !is_inside;
     if (is_inside && inside == Inside::named) {
       *writer.inside++ = static_cast<std::uint32_t>(t);
+    } else if (is_inside) {
+      write_vertices(triangle, writer.next);
+      writer.add(t, 3);
     } else if (code.all == 0) {
-      if (is_inside) {
-        polygon.assign(triangle);
-      } else {
-        clip_stage(method, volume, triangle, polygon);
-      }
-      write_polygon(polygon, writer.next);
-      writer.add(t, polygon.size());
+      writer.add(t, write_cut(method, volume, triangle, writer.next));
     }
     access.commit(writer);
   }
@@ -92,34 +114,14 @@ void full(Method method, const Projection<float>& projection, const ViewVertexAr
   const OutputAccess access{out};
   access.begin(in.attributes);
   const std::size_t stride = 3 + static_cast<std::size_t>(in.attributes);
-  NdcPolygon<float, K> polygon;
   for (std::size_t t = 0; t < in.count / 3; ++t) {
-    clip_full(method, projection, read_view_triangle<K>(in.data + 3 * t * stride, in.attributes),
-              polygon);
     Writer writer = access.block(1);
-    write_polygon(polygon, writer.next);
-    writer.add(t, polygon.size());
+    const auto triangle = read_view_triangle<K>(in.data + 3 * t * stride, in.attributes);
+    const int vertices = write_full(method, projection, triangle, writer.next);
+    writer.add(t, vertices);
     access.commit(writer);
-    ++(polygon.empty() ? access.tally().rejected : access.tally().plain);
+    ++(vertices == 0 ? access.tally().rejected : access.tally().plain);
   }
-}
-
-template <int K>
-int cut_with(Method method, const ClipVolume& volume, int attributes, const float* const vertex[3],
-             float* out) {
-  ClipPolygon<float, K> polygon;
-  clip_stage(method, volume, read_triangle<K>(vertex, attributes), polygon);
-  write_polygon(polygon, out);
-  return polygon.size();
-}
-
-template <int K>
-int cut_full_with(Method method, const Projection<float>& projection, int attributes,
-                  const float* vertices, float* out) {
-  NdcPolygon<float, K> polygon;
-  clip_full(method, projection, read_view_triangle<K>(vertices, attributes), polygon);
-  write_polygon(polygon, out);
-  return polygon.size();
 }
 
 }  // namespace
@@ -172,8 +174,8 @@ void full(Method method, const Projection<float>& projection, const ViewVertexAr
 
 int cut(Method method, const ClipVolume& volume, int attributes, const float* const vertex[3],
         float* out) {
-  if (attributes == 4) return cut_with<4>(method, volume, attributes, vertex, out);
-  return cut_with<kRunTime>(method, volume, attributes, vertex, out);
+  if (attributes == 4) return write_cut(method, volume, read_triangle<4>(vertex, 4), out);
+  return write_cut(method, volume, read_triangle<kRunTime>(vertex, attributes), out);
 }
 
 void write_corner(DepthRange depth, std::size_t floats, const float* const vertex[3], int from,
@@ -199,8 +201,10 @@ void write_corner(DepthRange depth, std::size_t floats, const float* const verte
 
 int cut_full(Method method, const Projection<float>& projection, int attributes,
              const float* vertices, float* out) {
-  if (attributes == 4) return cut_full_with<4>(method, projection, attributes, vertices, out);
-  return cut_full_with<kRunTime>(method, projection, attributes, vertices, out);
+  if (attributes == 4) {
+    return write_full(method, projection, read_view_triangle<4>(vertices, 4), out);
+  }
+  return write_full(method, projection, read_view_triangle<kRunTime>(vertices, attributes), out);
 }
 
 }  // namespace clipscope::batch::plain

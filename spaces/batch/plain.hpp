@@ -20,10 +20,10 @@ void full(Method method, const Projection<float>& projection, const ViewVertexAr
 // One triangle: writes the polygon's vertices to `out` and returns how many they are.
 int cut(Method method, const ClipVolume& volume, int attributes, const float* const vertex[3],
         float* out);
-// Of the vertex of the polygon that `cut` writes for the method correctly_rounded where its boundary goes over
-// from one line to the other, those floats whose place in `open` is not 0. Lines 0 to 2 are the
-// triangle's edges, each opposite to its vertex, then come the planes in the order of `kAllPlanes`.
-// Pre-condition: all floats are finite.
+// Writes the floats marked in `open` (not 0) of one vertex of the polygon that
+// CorrectlyRounded::cut gives: the one where the boundary passes from line `from` to line `to`.
+// Lines 0 to 2 are the triangle's edges, each opposite to its vertex, then come the planes in the
+// order of `kAllPlanes`. Pre-condition: all floats are finite.
 void write_corner(DepthRange depth, std::size_t floats, const float* const vertex[3], int from,
                   int to, const std::uint32_t* open, float* out);
 // vertices: three of a ViewVertexArray.

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// The methods of the batch clippers for one triangle, in plain C++, made of the scalar clippers' own parts.
+// What batch methods do with one triangle beyond the scalar clippers, in plain C++.
 #pragma once
 
-#include "spaces/barycentric/correctly_rounded.hpp"
-#include "spaces/batch/batch.hpp"
+#include "spaces/barycentric/exact_corners.hpp"
 #include "spaces/homogeneous/sutherland_hodgman.hpp"
-#include "spaces/view/sutherland_hodgman.hpp"
 
 namespace clipscope::batch::plain {
 
-template <std::floating_point To, std::floating_point From, int K>
-ClipVertex<To, K> vertex_cast(const ClipVertex<From, K>& v) {
-  ClipVertex<To, K> r;
-  for (int c = 0; c < 4; ++c) r.position[c] = static_cast<To>(v.position[c]);
+template <std::floating_point To, Space S, std::floating_point From, int K>
+Vertex<S, To, K> vertex_cast(const Vertex<S, From, K>& v) {
+  Vertex<S, To, K> r;
+  for (int c = 0; c < r.kDimension; ++c) r.position[c] = static_cast<To>(v.position[c]);
   r.attributes.resize(v.attributes.size());
   for (int k = 0; k < v.attributes.size(); ++k) {
     r.attributes[k] = static_cast<To>(v.attributes[k]);
@@ -21,20 +19,27 @@ ClipVertex<To, K> vertex_cast(const ClipVertex<From, K>& v) {
   return r;
 }
 
-// Sutherland-Hodgman in double, rounded to float once at the end; nothing where that overflows.
+// Sutherland-Hodgman's stage in double, rounded to float once; nothing where that overflows.
 template <int K>
-void clip_homogeneous_double(const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
-                             ClipPolygon<float, K>& out) {
-  out.clear();
-  const ClipTriangle<double, K> wide = {vertex_cast<double>(triangle[0]),
-                                        vertex_cast<double>(triangle[1]),
-                                        vertex_cast<double>(triangle[2])};
+ClipPolygon<float, K> cut_in_double(const ClipVolume& volume,
+                                    const ClipTriangle<float, K>& triangle) {
+  const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
+    return clip_outcode(volume.depth, triangle[i].position);
+  });
+  if (code.all != 0) return {};
+  ClipPolygon<double, K> polygon, scratch;
+  for (const ClipVertex<float, K>& v : triangle) polygon.push_back(vertex_cast<double>(v));
+  ClipPolygon<float, K> out;
   bool finite = true;
-  for (const ClipVertex<double, K>& v : HomogeneousSutherlandHodgman::cut(volume, wide)) {
+  for (const ClipVertex<double, K>& v :
+       HomogeneousSutherlandHodgman::cut(volume, code.any, polygon, scratch)) {
+    if (!(0 < v.position[3])) continue;
     out.push_back(vertex_cast<float>(v));
     finite = finite && has_finite_position(out[out.size() - 1]);
   }
   if (!finite) out.clear();
+  out.drop_if_degenerate();
+  return out;
 }
 
 // Decisions by the signs of rounded determinants. Used in place of a count of stages: see
@@ -116,11 +121,10 @@ ClipVertex<V, K> mean_vertex(DepthRange depth, const barycentric::Meeting& m,
 
 // Every new vertex from the three own ones in double, rounded to V; a coordinate on its plane is set.
 template <std::floating_point V, int K>
-void clip_barycentric(const ClipVolume& volume, const ClipTriangle<V, K>& triangle,
-                      ClipPolygon<V, K>& out) {
-  out.clear();
+ClipPolygon<V, K> cut_from_originals(const ClipVolume& volume, const ClipTriangle<V, K>& triangle) {
+  ClipPolygon<V, K> out;
   barycentric::CutTriangle cut;
-  if (!cut_by_rounded_signs(volume, triangle, cut)) return;
+  if (!cut_by_rounded_signs(volume, triangle, cut)) return out;
   for (const barycentric::Corner& corner : cut.corners) {
     const int own = barycentric::own_vertex(corner.at);
     const ClipVertex<V, K> v =
@@ -128,19 +132,7 @@ void clip_barycentric(const ClipVolume& volume, const ClipTriangle<V, K>& triang
     if (V(0) < v.position[3]) out.push_back(v);
   }
   out.drop_if_degenerate();
-}
-
-// The stage: clip space in, clip space out, no divide.
-template <int K>
-void clip_stage(Method method, const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
-                ClipPolygon<float, K>& out) {
-  switch (method) {
-    case Method::view:
-    case Method::homogeneous: out = HomogeneousSutherlandHodgman::cut(volume, triangle); return;
-    case Method::homogeneous_double: return clip_homogeneous_double(volume, triangle, out);
-    case Method::barycentric: return clip_barycentric(volume, triangle, out);
-    case Method::correctly_rounded: out = CorrectlyRounded::cut(volume, triangle); return;
-  }
+  return out;
 }
 
 // A projection in T from the frustum's floats, its matrix rounded to T.
@@ -155,50 +147,21 @@ Projection<T> projection_in(const Projection<float>& projection) {
   }
 }
 
-template <class To, class From, int K>
-void copy_attributes(const Attributes<From, K>& in, Attributes<To, K>& out) {
-  out.resize(in.size());
-  for (int k = 0; k < in.size(); ++k) out[k] = static_cast<To>(in[k]);
-}
-
-// In double, as Sutherland and Hodgman or from the three own vertices, rounded to float once at the end.
-template <int K>
-void clip_in_double(Method method, const Projection<float>& projection,
-                    const ViewTriangle<float, K>& triangle, NdcPolygon<float, K>& out) {
+// The full contract in double, rounded to float once at the end. clip(volume, triangle, polygon)
+// clips and divides.
+template <int K, class Clip>
+void clip_in_double(const Projection<float>& projection, const ViewTriangle<float, K>& triangle,
+                    NdcPolygon<float, K>& out, const Clip& clip) {
   const Projection<double> wide = projection_in<double>(projection);
-  ClipTriangle<double, K> clip;
+  ClipTriangle<double, K> projected;
   for (std::size_t i = 0; i < 3; ++i) {
-    clip[i].position = to_clip(wide, Vec3<double>(triangle[i].position));
-    copy_attributes(triangle[i].attributes, clip[i].attributes);
+    projected[i] = to_clip(wide, vertex_cast<double>(triangle[i]));
   }
   NdcPolygon<double, K> polygon;
-  if (method == Method::barycentric) {
-    ClipPolygon<double, K> cut;
-    clip_barycentric(wide.volume, clip, cut);
-    divide(cut, polygon);
-  } else {
-    HomogeneousSutherlandHodgman{}(wide.volume, clip, polygon);
-  }
+  clip(wide.volume, projected, polygon);
   out.clear();
-  for (const NdcVertex<double, K>& v : polygon) {
-    NdcVertex<float, K> r{Vec4<float>(v.position), {}};
-    copy_attributes(v.attributes, r.attributes);
-    out.push_back(r);
-  }
+  for (const NdcVertex<double, K>& v : polygon) out.push_back(vertex_cast<float>(v));
   clear_if_overflowed(out);  // finite in double, maybe not in float
-}
-
-// The full contract.
-template <int K>
-void clip_full(Method method, const Projection<float>& projection,
-               const ViewTriangle<float, K>& triangle, NdcPolygon<float, K>& out) {
-  switch (method) {
-    case Method::view: return ViewSutherlandHodgman{}(projection, triangle, out);
-    case Method::homogeneous: return HomogeneousSutherlandHodgman{}(projection, triangle, out);
-    case Method::homogeneous_double:
-    case Method::barycentric: return clip_in_double(method, projection, triangle, out);
-    case Method::correctly_rounded: return CorrectlyRounded{}(projection, triangle, out);
-  }
 }
 
 }  // namespace clipscope::batch::plain

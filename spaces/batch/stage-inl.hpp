@@ -11,20 +11,22 @@
 
 #include "spaces/batch/barycentric-inl.hpp"
 #include "spaces/batch/mesh-inl.hpp"
+#include "spaces/batch/methods.hpp"
 #include "spaces/batch/streams-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
 
-// Cuts one triangle of a space at a time by a method. The vertices are of V, and so is what comes out.
-template <Method kMethod, int K, class V>
-class Cutter {
-  static constexpr bool kIsView = kMethod == Method::view;
+template <class M>
+inline constexpr bool kIsView = M::simd == Simd::view_planes;
 
+// Cuts one triangle of a space at a time by a method. The vertices are of V, and so is what comes out.
+template <class M, int K, class V>
+class Cutter {
  public:
   using S = Shape<K>;
-  using Limits = std::conditional_t<kIsView, ViewLimits, ClipLimits>;
-  using CutPlane = std::conditional_t<kIsView, ViewCodePlane, CodePlane>;
+  using Limits = std::conditional_t<kIsView<M>, ViewLimits, ClipLimits>;
+  using CutPlane = std::conditional_t<kIsView<M>, ViewCodePlane, CodePlane>;
 
   Cutter(DepthRange depth, int attributes)
       : shape{attributes}, limits(depth), depth_(depth), planes_(planes_in(depth)) {
@@ -54,17 +56,15 @@ class Cutter {
                           : cut_planes(vertex, any, out, tally);
     if (count == kGiveUp) {
       --(one ? tally.one_plane : tally.planes);
-      ++(kMethod == Method::correctly_rounded ? tally.exact : tally.plain);
+      ++(M::promise.correctly_rounded ? tally.exact : tally.plain);
     }
     return count;
   }
 
  private:
-  static constexpr bool kIsChain =
-      kIsView || kMethod == Method::homogeneous || kMethod == Method::homogeneous_double;
-  using T = std::conditional_t<kMethod == Method::homogeneous_double, double, V>;
-  using ChainOf = Chain<T, S, Limits, CutPlane>;
-  using Originals = FromOriginals<kMethod == Method::correctly_rounded, S>;
+  static constexpr bool kIsChain = M::simd != Simd::originals;
+  using ChainOf = Chain<typename M::Number, S, Limits, CutPlane>;
+  using Originals = FromOriginals<M::promise.correctly_rounded, S>;
 
   static std::array<CodePlane, kPlanes> planes_in(DepthRange depth) {
     auto planes = code_planes(depth);
@@ -162,7 +162,7 @@ HWY_INLINE Codes codes_of(const ClipLimits& limits, const float* const vertex[3]
 
 // The stage in its contracts, one call of one of them: the cutter with the plain version behind it, and what
 // a block of triangles needs.
-template <Method kMethod, int K>
+template <class M, int K>
 class Stage {
  public:
   Stage(const ClipVolume& volume, int attributes, Output& out)
@@ -282,13 +282,14 @@ class Stage {
   HWY_NOINLINE void cut(unsigned any, std::size_t triangle, Writer& writer) const {
     int count = cutter_.cut(padded_.vertex, any, writer.next, access_.tally());
     if (count == kGiveUp) {
-      count = plain::cut(kMethod, volume_, cutter_.shape.attributes, padded_.vertex, writer.next);
+      count =
+          plain::cut(kMethod<M>, volume_, cutter_.shape.attributes, padded_.vertex, writer.next);
     }
     writer.add(triangle, count);
   }
 
   const ClipVolume volume_;
-  const Cutter<kMethod, K, float> cutter_;
+  const Cutter<M, K, float> cutter_;
   const OutputAccess access_;
   Padded<Shape<K>> padded_;
   Survivors survivors_;                           // of a block

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "spaces/batch/batch.hpp"
+#include "spaces/batch/methods.hpp"
 
 namespace clipscope::batch::tests {
 

@@ -25,12 +25,8 @@ InputTriangle random_triangle(std::mt19937& random, double extent) {
   InputTriangle r;
   r.attribute_count = 4;
   for (InputVertex& v : r.vertices) {
-    for (int c = 0; c < 3; ++c) {
-      v.position[c] = centre[c] + offset(random);
-    }
-    for (int k = 0; k < 4; ++k) {
-      v.attributes[k] = side(random);
-    }
+    for (int c = 0; c < 3; ++c) v.position[c] = centre[c] + offset(random);
+    for (int k = 0; k < 4; ++k) v.attributes[k] = side(random);
   }
   return r;
 }
@@ -84,7 +80,8 @@ void BM_gold(benchmark::State& state, const Truth& truth, Verdict verdict) {
       [](const InputTriangle& triangle) { return gold_of_frustum(frustum(), triangle); });
 }
 
-// The way back to floating point, per value: all coordinates and attributes of straddling triangles.
+// The way back to floating point, per value: all coordinates and attributes of straddling
+// triangles.
 template <class Function>
 void BM_value(benchmark::State& state, const Truth& truth, const Function& function) {
   std::vector<Fraction> values;

@@ -38,9 +38,7 @@ struct Chart {
 std::optional<Chart> area_chart(const Point& u, const Point& v, std::size_t dimension) {
   for (std::size_t i = 0; i < dimension; ++i) {
     for (std::size_t j = i + 1; j < dimension; ++j) {
-      if (!minor(u, v, i, j).is_zero()) {
-        return Chart{u, v, i, j};
-      }
+      if (!minor(u, v, i, j).is_zero()) return Chart{u, v, i, j};
     }
   }
   return std::nullopt;
@@ -50,9 +48,7 @@ std::optional<Chart> area_chart(const Point& u, const Point& v, std::size_t dime
 std::optional<Chart> find_chart(const std::vector<Point>& points, std::size_t dimension) {
   for (std::size_t p = 1; p < points.size(); ++p) {
     for (std::size_t q = p + 1; q < points.size(); ++q) {
-      if (const auto chart = area_chart(points[p], points[q], dimension)) {
-        return chart;
-      }
+      if (const auto chart = area_chart(points[p], points[q], dimension)) return chart;
     }
   }
   return std::nullopt;
@@ -65,9 +61,7 @@ bool is_in_plane(const Chart& chart, const Point& point) {
   const Dyadic pu = minor(point, chart.u, chart.i, chart.j);
   for (std::size_t c = 0; c < point.size(); ++c) {
     const Dyadic sum = uv * point[c] + vp * chart.u[c] + pu * chart.v[c];
-    if (!sum.is_zero()) {
-      return false;
-    }
+    if (!sum.is_zero()) return false;
   }
   return true;
 }
@@ -105,21 +99,15 @@ bool are_distinct(const Chart& chart, const std::vector<Point>& points) {
 
 bool is_planar_convex(std::span<const InputVertex> vertices, int attribute_count) {
   assert(is_finite(vertices, attribute_count));
-  if (vertices.size() < 3) {
-    return false;
-  }
+  if (vertices.size() < 3) return false;
   std::vector<Point> points;
   for (const InputVertex& vertex : vertices) {
     points.push_back(difference(vertex, vertices[0], attribute_count));
   }
   const std::optional<Chart> chart = find_chart(points, vertices[0].position.size());
-  if (!chart) {
-    return false;
-  }
+  if (!chart) return false;
   for (const Point& point : points) {
-    if (!is_in_plane(*chart, point)) {
-      return false;
-    }
+    if (!is_in_plane(*chart, point)) return false;
   }
   return are_distinct(*chart, points) && is_convex(*chart, points);
 }

@@ -17,8 +17,8 @@ using HalfSpace = Truth::HalfSpace;
 
 using Vertices = std::span<const InputVertex>;
 
-// Weights is a value at each vertex of the input; also the weights of a point. Its size is fixed for
-// points, segments and triangles, which need no allocation then.
+// Weights is a value at each vertex of the input; also the weights of a point. Its size is fixed
+// for points, segments and triangles, which need no allocation then.
 template <std::size_t N>
 using Fixed = std::array<Dyadic, N>;
 using Any = std::vector<Dyadic>;
@@ -26,18 +26,14 @@ using Any = std::vector<Dyadic>;
 template <class Weights>
 Weights zeros(std::size_t size) {
   Weights r{};
-  if constexpr (std::same_as<Weights, Any>) {
-    r.resize(size);
-  }
+  if constexpr (std::same_as<Weights, Any>) r.resize(size);
   return r;
 }
 
 template <class Weights, class Function>
 Weights at_vertices(Vertices vertices, const Function& function) {
   Weights r = zeros<Weights>(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    r[i] = function(vertices[i]);
-  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) r[i] = function(vertices[i]);
   return r;
 }
 
@@ -46,9 +42,7 @@ template <class Weights>
 Dyadic interpolate(const Weights& lambda, const Weights& values) {
   Dyadic sum = 0;
   for (std::size_t i = 0; i < lambda.size(); ++i) {
-    if (!lambda[i].is_zero()) {
-      sum += lambda[i] * values[i];
-    }
+    if (!lambda[i].is_zero()) sum += lambda[i] * values[i];
   }
   return sum;
 }
@@ -58,32 +52,24 @@ Dyadic interpolate(const Weights& lambda, const Weights& values) {
 template <class Weights>
 Weights meet(const Weights& a, const Dyadic& d_a, const Weights& b, const Dyadic& d_b) {
   Weights r = zeros<Weights>(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    r[i] = d_a * b[i] - d_b * a[i];
-  }
+  for (std::size_t i = 0; i < a.size(); ++i) r[i] = d_a * b[i] - d_b * a[i];
   return r;
 }
 
-// The part of the polygon with d >= 0, where d is given at the vertices of the input. Two vertices are
-// a segment: they have one edge.
+// The part of the polygon with d >= 0, where d is given at the vertices of the input. Two vertices
+// are a segment: they have one edge.
 template <class Weights>
 std::vector<Weights> cut(const std::vector<Weights>& polygon, const Weights& d) {
   const std::size_t n = polygon.size();
   std::vector<Dyadic> distance;
   distance.reserve(n);
-  for (const Weights& vertex : polygon) {
-    distance.push_back(interpolate(vertex, d));
-  }
+  for (const Weights& vertex : polygon) distance.push_back(interpolate(vertex, d));
   std::vector<Weights> r;
   r.reserve(n + 1);
   for (std::size_t i = 0; i < n; ++i) {
     const int side = distance[i].sign();
-    if (side >= 0) {
-      r.push_back(polygon[i]);
-    }
-    if (i + 1 == n && n < 3) {
-      break;
-    }
+    if (side >= 0) r.push_back(polygon[i]);
+    if (i + 1 == n && n < 3) break;
     const std::size_t next = (i + 1) % n;
     const int next_side = distance[next].sign();
     if (side > 0 && next_side < 0) {
@@ -105,21 +91,13 @@ Sides sides_of(const Truth& truth, Vertices vertices) {
   Sides sides;
   for (const HalfSpace& half_space : truth.half_spaces()) {
     std::size_t outside = 0;
-    for (const InputVertex& vertex : vertices) {
-      outside += sign(half_space.form, vertex) < 0 ? 1 : 0;
-    }
-    if (outside == vertices.size()) {
-      return {Verdict::rejected, {}};
-    }
-    if (outside > 0) {
-      sides.crossed.push_back(&half_space);
-    }
+    for (const InputVertex& vertex : vertices) outside += sign(half_space.form, vertex) < 0 ? 1 : 0;
+    if (outside == vertices.size()) return {Verdict::rejected, {}};
+    if (outside > 0) sides.crossed.push_back(&half_space);
   }
   const bool in_front =
       std::ranges::all_of(vertices, [&](const InputVertex& v) { return sign(truth.w(), v) > 0; });
-  if (!sides.crossed.empty() || !in_front) {
-    sides.verdict = Verdict::clipped;
-  }
+  if (!sides.crossed.empty() || !in_front) sides.verdict = Verdict::clipped;
   return sides;
 }
 
@@ -146,9 +124,7 @@ class Projector {
   ExactVertex operator()(const Weights& lambda) const {
     const Dyadic w = interpolate(lambda, w_);
     Dyadic sum = 0;
-    for (const Dyadic& weight : lambda) {
-      sum += weight;
-    }
+    for (const Dyadic& weight : lambda) sum += weight;
     ExactVertex r{
         coordinate(0, lambda, w), coordinate(1, lambda, w), coordinate(2, lambda, w), {sum, w}, {}};
     r.attributes.reserve(attributes_.size());
@@ -180,9 +156,7 @@ template <class Weights>
 ExactPolygon clip_crossed(const Truth& truth, const Sides& sides, Vertices vertices,
                           int attribute_count) {
   std::vector<Weights> polygon(vertices.size(), zeros<Weights>(vertices.size()));
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    polygon[i][i] = 1;
-  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) polygon[i][i] = 1;
   for (const HalfSpace* half_space : sides.crossed) {
     polygon = cut(polygon, at_vertices<Weights>(vertices, [&](const InputVertex& v) {
                     return value(half_space->form, v);
@@ -191,19 +165,13 @@ ExactPolygon clip_crossed(const Truth& truth, const Sides& sides, Vertices verti
   const Projector<Weights> project(truth, vertices, attribute_count);
   ExactPolygon r;
   for (const Weights& lambda : polygon) {
-    if (!project.is_in_front(lambda)) {
-      continue;
-    }
+    if (!project.is_in_front(lambda)) continue;
     ExactVertex vertex = project(lambda);
     const bool seen =
         std::ranges::any_of(r.vertices, [&](const ExactVertex& v) { return coincide(v, vertex); });
-    if (!seen) {
-      r.vertices.push_back(std::move(vertex));
-    }
+    if (!seen) r.vertices.push_back(std::move(vertex));
   }
-  if (!r.vertices.empty()) {
-    r.verdict = sides.verdict;
-  }
+  if (!r.vertices.empty()) r.verdict = sides.verdict;
   return r;
 }
 
@@ -235,9 +203,7 @@ Verdict classify(const Truth& truth, const InputTriangle& triangle) {
 ExactPolygon clip(const Truth& truth, std::span<const InputVertex> vertices, int attribute_count) {
   assert(meets_preconditions(truth, vertices, attribute_count));
   const Sides sides = sides_of(truth, vertices);
-  if (sides.verdict == Verdict::rejected) {
-    return {};
-  }
+  if (sides.verdict == Verdict::rejected) return {};
   switch (vertices.size()) {
     case 1: return clip_crossed<Fixed<1>>(truth, sides, vertices, attribute_count);
     case 2: return clip_crossed<Fixed<2>>(truth, sides, vertices, attribute_count);

@@ -29,8 +29,8 @@ class Integer {
 // k of a denominator 2^k.
 long log2_of_power(mpz_srcptr power) { return static_cast<long>(mpz_sizeinbase(power, 2)) - 1; }
 
-// significand 2^exponent <= magnitude < (significand + 1) 2^exponent, with 62 to 64 significant bits;
-// the lowest bit also says whether anything was cut off ("sticky").
+// significand 2^exponent <= magnitude < (significand + 1) 2^exponent, with 62 to 64 significant
+// bits; the lowest bit also says whether anything was cut off ("sticky").
 struct Truncated {
   std::uint64_t significand;
   long exponent;
@@ -56,9 +56,7 @@ Truncated truncate(const Fraction& value) {
 
   mpz_tdiv_qr(quotient, remainder, dividend, divisor);
   std::uint64_t significand = mpz_get_ui(quotient);
-  if (mpz_sgn(static_cast<mpz_ptr>(remainder)) != 0) {
-    significand |= 1;
-  }
+  if (mpz_sgn(static_cast<mpz_ptr>(remainder)) != 0) significand |= 1;
   return {significand, exponent};
 }
 
@@ -66,9 +64,7 @@ Truncated truncate(const Fraction& value) {
 // result is exact in double if digits and lowest are those of float or double, or infinite.
 double round_half_even(const Truncated& v, int digits, int lowest) {
   int bits = 64;
-  while ((v.significand >> (bits - 1)) == 0) {
-    --bits;
-  }
+  while ((v.significand >> (bits - 1)) == 0) --bits;
   const long drop = std::max<long>(bits - digits, lowest - v.exponent);
   if (drop > bits) {
     return 0;  // less than half of the smallest number
@@ -83,9 +79,7 @@ double round_half_even(const Truncated& v, int digits, int lowest) {
 template <class T>
 T round_exactly(const Fraction& value) {
   using Limits = std::numeric_limits<T>;
-  if (value.sign() == 0) {
-    return T(0);
-  }
+  if (value.sign() == 0) return T(0);
   const int lowest = Limits::min_exponent - Limits::digits;  // of the smallest subnormal
   const double magnitude = round_half_even(truncate(value), Limits::digits, lowest);
   if (magnitude > static_cast<double>(Limits::max())) {
@@ -121,14 +115,13 @@ Rational to_rational(const Fraction& value) {
 double approximate(const Fraction& value) {
   const double numerator = value.numerator.to_double();
   const double denominator = value.denominator.to_double();
-  if (is_moderate(numerator) && is_moderate(denominator)) {
-    return numerator / denominator;
-  }
+  if (is_moderate(numerator) && is_moderate(denominator)) return numerator / denominator;
   return round_exactly<double>(value);
 }
 
-// The exact value lies between lower and upper, and rounding is monotone: where both round to the same
-// float, so does the value. (Below double's normal numbers it does too: there every float is 0.)
+// The exact value lies between lower and upper, and rounding is monotone: where both round to the
+// same float, so does the value. (Below double's normal numbers it does too: there every float is
+// 0.)
 template <>
 float round_to<float>(const Fraction& value) {
   const double estimate = approximate(value);

@@ -2,14 +2,15 @@
 //
 // Exact numbers of the reference, and the way back from them to floating point.
 //
-//   Dyadic    m 2^e, any m and e: what floats, and sums and products of them, are. No gcd is ever taken.
+//   Dyadic    m 2^e, any m and e: what floats, and sums and products of them, are. No gcd is ever
+//             taken.
 //   Fraction  numerator / denominator of two dyadics: a value whose last operation is a quotient
 //   Rational  a canonical rational number, for comparing with other exact computations
 //
-// Rational is GMP's mpq_class with CGAL's number traits. CGAL::Exact_rational would be the same type here,
-// but its header reads every other exact number that there is, which every source would pay for.
-// Source of Dyadic: CGAL::Mpzf (M. Glisse). Each value owns its memory, so values may be used by many
-// threads at once, as ints may.
+// Rational is GMP's mpq_class with CGAL's number traits. CGAL::Exact_rational would be the same
+// type here, but its header reads every other exact number that there is, which every source would
+// pay for. Source of Dyadic: CGAL::Mpzf (M. Glisse). Each value owns its memory, so values may be
+// used by many threads at once, as ints may.
 #pragma once
 
 #include <CGAL/Mpzf.h>
@@ -47,8 +48,9 @@ Rational to_rational(double value);
 // or too small to be (then 0), or so large that it overflows (then infinite).
 double approximate(const Fraction& value);
 
-// The value rounded to float or double, to nearest, ties to even: subnormal results are rounded once,
-// and values beyond the largest finite number by half a unit or more become infinite. 0 is +0.
+// The value rounded to float or double, to nearest, ties to even: subnormal results are rounded
+// once, and values beyond the largest finite number by half a unit or more become infinite. 0 is
+// +0.
 template <std::floating_point T>
 T round_to(const Fraction& value);
 template <>

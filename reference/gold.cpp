@@ -61,9 +61,7 @@ Nef solid(Polyhedron& boundary) {
 // Pre-condition: not all points in one plane.
 Nef convex_hull(const std::vector<Point>& points) {
   std::vector<Kernel::Point_3> p;
-  for (const Point& q : points) {
-    p.push_back(kernel_point(q));
-  }
+  for (const Point& q : points) p.push_back(kernel_point(q));
   Polyhedron hull;
   CGAL::convex_hull_3(p.begin(), p.end(), hull);
   return solid(hull);
@@ -72,9 +70,7 @@ Nef convex_hull(const std::vector<Point>& points) {
 // Pre-condition of CGAL: the corners are not on one line, else the facet is empty.
 Nef facet(const Corners& corners) {
   std::vector<Kernel::Point_3> p;
-  for (const Point& corner : corners) {
-    p.push_back(kernel_point(corner));
-  }
+  for (const Point& corner : corners) p.push_back(kernel_point(corner));
   const Nef r(p.begin(), p.end());
   if (r.is_empty()) {
     throw std::logic_error("gold: CGAL made no facet of three points that are not on a line");
@@ -85,9 +81,7 @@ Nef facet(const Corners& corners) {
 std::vector<Point> vertices(const Nef& set) {
   std::vector<Point> r;
   for (auto v = set.vertices_begin(); v != set.vertices_end(); ++v) {
-    if (v->mark()) {
-      r.push_back(point(v->point()));
-    }
+    if (v->mark()) r.push_back(point(v->point()));
   }
   return r;
 }
@@ -99,8 +93,9 @@ Kernel::Plane_3 kernel_plane(const Vector& inside) {
 }
 
 // The part with inside . (x, y, z, 1) >= 0 of the cube [-size, size]^3.
-// Pre-condition: the form changes its sign within the cube. CGAL wants a point strictly inside: with
-// inside . (s c, 1) = s reach + d for the corner c where the form is largest, s in (-d / reach, 1).
+// Pre-condition: the form changes its sign within the cube. CGAL wants a point strictly inside:
+// with inside . (s c, 1) = s reach + d for the corner c where the form is largest, s in (-d /
+// reach, 1).
 Nef half_cube(const Vector& inside, const Rational& size) {
   std::vector<Kernel::Plane_3> planes = {kernel_plane(inside)};
   Point interior;
@@ -117,9 +112,7 @@ Nef half_cube(const Vector& inside, const Rational& size) {
   const Rational lowest = -inside[3] / reach;
   const Rational start = lowest < -1 ? Rational(-1) : lowest;
   const Rational s = (start + 1) / 2;
-  for (Rational& coordinate : interior) {
-    coordinate *= s;
-  }
+  for (Rational& coordinate : interior) coordinate *= s;
   const Kernel::Point_3 origin = kernel_point(interior);
   for (const Kernel::Plane_3& plane : planes) {
     if (!plane.has_on_negative_side(origin)) {
@@ -131,8 +124,8 @@ Nef half_cube(const Vector& inside, const Rational& size) {
   return solid(boundary);
 }
 
-// The vertices of the set's part within all half-spaces. Pre-condition: the set is in the interior of
-// the cube [-size, size]^3.
+// The vertices of the set's part within all half-spaces. Pre-condition: the set is in the interior
+// of the cube [-size, size]^3.
 std::vector<Point> intersect(Nef rest, const std::vector<Vector>& half_spaces,
                              const Rational& size) {
   for (const Vector& inside : half_spaces) {
@@ -140,9 +133,7 @@ std::vector<Point> intersect(Nef rest, const std::vector<Vector>& half_spaces,
     if (reach + inside[3] <= 0 && (reach != 0 || inside[3] < 0)) {
       return {};  // the half-space has no point in the interior of the cube
     }
-    if (inside[3] - reach < 0) {
-      rest *= half_cube(inside, size);
-    }
+    if (inside[3] - reach < 0) rest *= half_cube(inside, size);
   }
   return vertices(rest);
 }
@@ -282,8 +273,8 @@ Point barycentric(const Corners& c, const Point& p) {
   throw std::logic_error("gold: barycentric coordinates over a triangle without area");
 }
 
-// The clip distances as half-spaces: forms over (x, y, z, 1) that take the values of the attributes at
-// the corners. They are affine, so their values at 0 and at the unit vectors tell all.
+// The clip distances as half-spaces: forms over (x, y, z, 1) that take the values of the attributes
+// at the corners. They are affine, so their values at 0 and at the unit vectors tell all.
 std::vector<Vector> clip_distance_forms(const ClipVolume& volume, const InputTriangle& triangle,
                                         const Corners& corners) {
   std::vector<Vector> forms;
@@ -314,13 +305,9 @@ std::vector<RationalVertex> project(const InputTriangle& triangle,
       return Rational(lambda[0] * a + lambda[1] * b + lambda[2] * c);
     };
     Vector position;
-    for (int i = 0; i < 4; ++i) {
-      position[i] = interpolate(clip[0][i], clip[1][i], clip[2][i]);
-    }
+    for (int i = 0; i < 4; ++i) position[i] = interpolate(clip[0][i], clip[1][i], clip[2][i]);
     const Rational w = position[3];
-    if (w <= 0) {
-      continue;
-    }
+    if (w <= 0) continue;
     RationalVertex v = {Rational(position[0] / w),
                         Rational(position[1] / w),
                         Rational(position[2] / w),
@@ -339,9 +326,7 @@ std::vector<RationalVertex> project(const InputTriangle& triangle,
 
 void require_area(const std::array<Vector, 3>& clip) {
   for (const auto& [i, j, k] : {std::array{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}) {
-    if (determinant(clip[0], clip[1], clip[2], i, j, k) != 0) {
-      return;
-    }
+    if (determinant(clip[0], clip[1], clip[2], i, j, k) != 0) return;
   }
   throw std::invalid_argument("gold: not applicable to a triangle without area in NDC");
 }
@@ -381,9 +366,7 @@ std::vector<RationalVertex> gold_of_frustum(const Frustum<double>& frustum,
   const Rational horizon = beyond(triangle) + to_rational(abs(frustum.near));
   const bool perspective = frustum.kind == ProjectionKind::perspective;
   Rational first = to_rational(frustum.near);
-  if (volume.depth_clamp) {
-    first = perspective ? Rational(0) : Rational(-horizon);
-  }
+  if (volume.depth_clamp) first = perspective ? Rational(0) : Rational(-horizon);
   const bool endless = volume.depth_clamp || frustum.infinite_far;
   const Rational last = endless ? horizon : to_rational(frustum.far);
   const Corners corners = view_corners(triangle);

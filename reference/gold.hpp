@@ -4,26 +4,26 @@
 // reference in everything but the types: own matrices, own planes, rationals instead of fractions.
 //
 //   frustum   the convex hull of the frustum's eight corners, as a Nef polyhedron, intersected with
-//             the triangle, as a Nef facet. An infinite far plane is put beyond the triangle, and so
-//             are near and far with depth clamp (in perspective near is then the eye).
-//   matrix    the half-spaces w + x >= 0 and so on as view-space planes, each cut out of a cube around
-//             the triangle and intersected with the triangle
-//   clip      the same in the plane of the barycentric coordinates (l1, l2), where the half-spaces of
-//             clip space are half-planes and w may have any sign
+//             the triangle, as a Nef facet. An infinite far plane is put beyond the triangle, and
+//             so are near and far with depth clamp (in perspective near is then the eye).
+//   matrix    the half-spaces w + x >= 0 and so on as view-space planes, each cut out of a cube
+//             around the triangle and intersected with the triangle
+//   clip      the same in the plane of the barycentric coordinates (l1, l2), where the half-spaces
+//             of clip space are half-planes and w may have any sign
 //
-// A clip distance is the half-space of view space, or of the plane of (l1, l2), whose form takes the
-// attribute's values at the triangle's vertices.
+// A clip distance is the half-space of view space, or of the plane of (l1, l2), whose form takes
+// the attribute's values at the triangle's vertices.
 //
 // Sources: Hachenberger, Kettner and Mehlhorn, "Boolean Operations on 3D Selective Nef Complexes",
 // 2007; CGAL's 3D Convex Hulls (convex_hull_3, halfspace_intersection_3).
 //
-// The result is the set of vertices, sorted, as `vertex_set` gives it for the fast reference: the two
-// must be equal as rational numbers.
+// The result is the set of vertices, sorted, as `vertex_set` gives it for the fast reference: the
+// two must be equal as rational numbers.
 //
-// Pre-conditions: is_finite(triangle), checked by assertion; and that the triangle has an area in NDC:
-// three clip positions on a plane through the origin throw std::invalid_argument, since the facet of
-// such a triangle isn't one, or its vertices collapse. An invalid frustum or matrix throws too. There
-// is no gold for points, segments and other polygons.
+// Pre-conditions: is_finite(triangle), checked by assertion; and that the triangle has an area in
+// NDC: three clip positions on a plane through the origin throw std::invalid_argument, since the
+// facet of such a triangle isn't one, or its vertices collapse. An invalid frustum or matrix throws
+// too. There is no gold for points, segments and other polygons.
 #pragma once
 
 #include <vector>

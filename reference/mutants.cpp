@@ -40,8 +40,8 @@ constexpr BugInfo kBugs[] = {
 
 constexpr int kNear = 4, kSixPlanes = 6;
 
-// x, y, z, w; the sum of the weights, 1 but for vertices divided by w; 1/w as interpolated; attributes
-// times the sum.
+// x, y, z, w; the sum of the weights, 1 but for vertices divided by w; 1/w as interpolated;
+// attributes times the sum.
 using Vertex = std::vector<Rational>;
 enum Component { kX, kY, kZ, kW, kSum, kInvW, kAttributes };
 
@@ -51,9 +51,7 @@ class Textbook {
 
   std::vector<Vertex> clip(std::vector<Vertex> polygon) const {
     const bool is_segment = polygon.size() < 3;
-    if (is_given_up(polygon)) {
-      return {};
-    }
+    if (is_given_up(polygon)) return {};
     if (bug_ == Bug::w_plane_epsilon) {
       const Rational epsilon = to_rational(1e-5);
       polygon =
@@ -63,9 +61,7 @@ class Textbook {
       if (!is_skipped(plane)) {
         polygon = cut(polygon, is_segment, [&](const Vertex& v) { return distance(v, plane); });
       }
-      if (bug_ == Bug::eight_vertices && polygon.size() > 8) {
-        polygon.resize(8);
-      }
+      if (bug_ == Bug::eight_vertices && polygon.size() > 8) polygon.resize(8);
     }
     return polygon;
   }
@@ -82,9 +78,7 @@ class Textbook {
 
   // Left, right, bottom, top, near, far, clip distances.
   Rational distance(const Vertex& v, int plane) const {
-    if (plane >= kSixPlanes) {
-      return v[kAttributes + static_cast<std::size_t>(plane - kSixPlanes)];
-    }
+    if (plane >= kSixPlanes) return v[kAttributes + static_cast<std::size_t>(plane - kSixPlanes)];
     Rational d;
     if (plane < kNear) {
       const Rational c = v[static_cast<std::size_t>(plane / 2)];
@@ -99,9 +93,7 @@ class Textbook {
 
   Rational depth_distance(const Vertex& v, bool near) const {
     const bool at_low_end = near != (volume_.depth == DepthRange::reversed);
-    if (!at_low_end) {
-      return Rational(v[kW] - v[kZ]);
-    }
+    if (!at_low_end) return Rational(v[kW] - v[kZ]);
     const bool from_minus_w =
         volume_.depth == DepthRange::minus_one_to_one && bug_ != Bug::depth_from_zero;
     return from_minus_w ? Rational(v[kW] + v[kZ]) : v[kZ];
@@ -133,18 +125,12 @@ class Textbook {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vertex& a = polygon[i];
       const Rational d_a = distance(a);
-      if (side(d_a) >= 0) {
-        r.push_back(a);
-      }
+      if (side(d_a) >= 0) r.push_back(a);
       const bool last = i + 1 == polygon.size();
-      if (last && (is_segment || bug_ == Bug::last_edge_left_out)) {
-        break;
-      }
+      if (last && (is_segment || bug_ == Bug::last_edge_left_out)) break;
       const Vertex& b = polygon[(i + 1) % polygon.size()];
       const Rational d_b = distance(b);
-      if (side(d_a) * side(d_b) < 0) {
-        r.push_back(meet(a, d_a, b, d_b));
-      }
+      if (side(d_a) * side(d_b) < 0) r.push_back(meet(a, d_a, b, d_b));
     }
     return r;
   }
@@ -160,25 +146,17 @@ class Textbook {
       return Rational((1 - s) * a[i] + s * b[i]);
     };
     Vertex r;
-    for (std::size_t i = 0; i < kAttributes; ++i) {
-      r.push_back(mix(i, t));
-    }
+    for (std::size_t i = 0; i < kAttributes; ++i) r.push_back(mix(i, t));
     const Rational s = attribute_weight(a, b, r, t);
-    for (std::size_t i = kAttributes; i < a.size(); ++i) {
-      r.push_back(mix(i, s));
-    }
+    for (std::size_t i = kAttributes; i < a.size(); ++i) r.push_back(mix(i, s));
     return r;
   }
 
   // The weight of b for attributes at the point p, which has the weight t in clip space.
   Rational attribute_weight(const Vertex& a, const Vertex& b, const Vertex& p,
                             const Rational& t) const {
-    if (a[kW] == 0 || b[kW] == 0 || p[kW] == 0) {
-      return t;
-    }
-    if (bug_ == Bug::attributes_in_ndc) {
-      return Rational(t * b[kW] / p[kW]);
-    }
+    if (a[kW] == 0 || b[kW] == 0 || p[kW] == 0) return t;
+    if (bug_ == Bug::attributes_in_ndc) return Rational(t * b[kW] / p[kW]);
     if (bug_ == Bug::attribute_axis_of_clip_space) {
       const auto length = [&](std::size_t i) { return Rational(abs(b[i] - a[i])); };
       std::size_t axis = kX;
@@ -197,12 +175,8 @@ class Textbook {
 
 Vertex input(Bug bug, const Truth& truth, const InputVertex& vertex, int attribute_count) {
   Vertex r;
-  for (const Rational& c : truth.clip_position(vertex)) {
-    r.push_back(c);
-  }
-  if (bug == Bug::absolute_w) {
-    r[kW] = abs(r[kW]);
-  }
+  for (const Rational& c : truth.clip_position(vertex)) r.push_back(c);
+  if (bug == Bug::absolute_w) r[kW] = abs(r[kW]);
   r.push_back(1);
   r.push_back(r[kW] == 0 ? Rational(0) : Rational(1 / r[kW]));
   for (int k = 0; k < attribute_count; ++k) {
@@ -210,9 +184,7 @@ Vertex input(Bug bug, const Truth& truth, const InputVertex& vertex, int attribu
   }
   if (bug == Bug::w_plane_left_out && r[kW] != 0) {
     const Rational w = r[kW];
-    for (Rational& component : r) {
-      component /= w;
-    }
+    for (Rational& component : r) component /= w;
   }
   return r;
 }
@@ -224,9 +196,7 @@ RationalVertex output(Bug bug, const Vertex& v) {
                       Rational(v[kZ] / v[kW]),
                       Rational(v[kSum] / v[kW]),
                       {}};
-  if (bug == Bug::inv_w_linear) {
-    r.inv_w = v[kInvW];
-  }
+  if (bug == Bug::inv_w_linear) r.inv_w = v[kInvW];
   for (std::size_t i = kAttributes; i < v.size(); ++i) {
     r.attributes.push_back(Rational(v[i] / v[kSum]));
   }
@@ -247,16 +217,12 @@ std::vector<RationalVertex> textbook(Bug bug, const Truth& truth,
   const Textbook clipper(bug, truth);
   std::vector<RationalVertex> r;
   for (const Vertex& v : clipper.clip(polygon)) {
-    if (!clipper.is_visible(v) || v[kSum] == 0) {
-      continue;
-    }
+    if (!clipper.is_visible(v) || v[kSum] == 0) continue;
     RationalVertex vertex = output(bug, v);
     const bool seen = std::ranges::any_of(r, [&](const RationalVertex& other) {
       return other.x == vertex.x && other.y == vertex.y && other.z == vertex.z;
     });
-    if (!seen) {
-      r.push_back(std::move(vertex));
-    }
+    if (!seen) r.push_back(std::move(vertex));
   }
   std::sort(r.begin(), r.end());
   return r;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A textbook clipper over rational numbers, and the same with one of the bugs known from real clippers:
-// to test the tests. Without a bug it equals the fast reference (a third opinion beside gold); with one
-// it must differ on some case, or the cases would not notice that bug.
+// A textbook clipper over rational numbers, and the same with one of the bugs known from real
+// clippers: to test the tests. Without a bug it equals the fast reference (a third opinion beside
+// gold); with one it must differ on some case, or the cases would not notice that bug.
 //
-// Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974, on the homogeneous clip positions,
-// plane after plane, each vertex from the one before. Seeding faults: DeMillo, Lipton and Sayward,
-// "Hints on Test Data Selection", 1978. It shares no code with `clip`.
+// Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974, on the homogeneous clip
+// positions, plane after plane, each vertex from the one before. Seeding faults: DeMillo, Lipton
+// and Sayward, "Hints on Test Data Selection", 1978. It shares no code with `clip`.
 #pragma once
 
 #include <span>
@@ -54,7 +54,8 @@ struct BugInfo {
 // All bugs, without `none`.
 std::span<const BugInfo> all_bugs();
 
-// The clipper's vertices, sorted, as vertex_set gives the reference's. Pre-conditions: those of `clip`.
+// The clipper's vertices, sorted, as vertex_set gives the reference's. Pre-conditions: those of
+// `clip`.
 std::vector<RationalVertex> textbook(Bug bug, const Truth& truth,
                                      std::span<const InputVertex> vertices, int attribute_count);
 std::vector<RationalVertex> textbook(Bug bug, const Truth& truth, const InputTriangle& triangle);

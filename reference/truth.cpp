@@ -19,8 +19,8 @@ double coordinate(const InputVertex& vertex, int i) {
   return i == kOne ? 1 : vertex.attributes[i - kFirstAttribute];
 }
 
-// Higham, "Accuracy and Stability of Numerical Algorithms", 2002, lemma 3.1. The unit roundoff is the
-// one of directed rounding, so that no rounding mode can break the bound.
+// Higham, "Accuracy and Stability of Numerical Algorithms", 2002, lemma 3.1. The unit roundoff is
+// the one of directed rounding, so that no rounding mode can break the bound.
 constexpr double gamma(int n) {
   constexpr double u = std::numeric_limits<double>::epsilon();
   return n * u / (1 - n * u);
@@ -32,9 +32,7 @@ LinearForm operator+(LinearForm a, const LinearForm& b) {
   return a;
 }
 LinearForm operator-(const LinearForm& a, LinearForm b) {
-  for (Term& term : b) {
-    term.coefficient = -term.coefficient;
-  }
+  for (Term& term : b) term.coefficient = -term.coefficient;
   return a + b;
 }
 
@@ -62,9 +60,7 @@ void require_valid(const Frustum<double>& f) {
   const bool sides = f.left < f.right && f.bottom < f.top;
   const bool depth = perspective ? f.near > 0 && (f.infinite_far || f.near < f.far)
                                  : !f.infinite_far && f.near < f.far;
-  if (finite && sides && depth) {
-    return;
-  }
+  if (finite && sides && depth) return;
   std::ostringstream message;
   message << "frustum left " << f.left << " right " << f.right << " bottom " << f.bottom << " top "
           << f.top << " near " << f.near << " far " << f.far
@@ -94,9 +90,7 @@ std::vector<Truth::HalfSpace> perspective_volume(const Frustum<double>& f) {
       {{{f.near, kY}, {f.bottom, kZ}}, y_scale}, {{{-f.near, kY}, {-f.top, kZ}}, y_scale},
       {{{-1, kZ}, {-f.near, kOne}}, near_scale},
   };
-  if (!f.infinite_far) {
-    r.push_back({{{1, kZ}, {f.far, kOne}}, z_scale * (f.near / length)});
-  }
+  if (!f.infinite_far) r.push_back({{{1, kZ}, {f.far, kOne}}, z_scale * (f.near / length)});
   return r;
 }
 
@@ -187,9 +181,7 @@ std::array<ProjectionForm, 3> parallel_projection(const Frustum<double>& f) {
 // A row given by its terms, with the scale 1.
 ProjectionForm projection_form(const LinearForm& form) {
   ProjectionForm r;
-  for (const Term& term : form) {
-    r.coefficients[term.coordinate] += Dyadic(term.coefficient);
-  }
+  for (const Term& term : form) r.coefficients[term.coordinate] += Dyadic(term.coefficient);
   return r;
 }
 
@@ -250,9 +242,7 @@ int sign(const LinearForm& form, const InputVertex& vertex) {
 Dyadic ProjectionForm::value(const InputVertex& vertex) const {
   Dyadic sum = 0;
   for (int i = 0; i <= kOne; ++i) {
-    if (!coefficients[i].is_zero()) {
-      sum += coefficients[i] * Dyadic(coordinate(vertex, i));
-    }
+    if (!coefficients[i].is_zero()) sum += coefficients[i] * Dyadic(coordinate(vertex, i));
   }
   return sum;
 }
@@ -260,12 +250,8 @@ Dyadic ProjectionForm::value(const InputVertex& vertex) const {
 // The six in the order of Plane, an infinite far plane missing.
 void Truth::set_half_spaces(std::vector<HalfSpace> six) {
   half_spaces_ = std::move(six);
-  if (volume_.depth_clamp) {
-    half_spaces_.resize(4);
-  }
-  for (HalfSpace& half_space : half_spaces_) {
-    drop_zero_terms(half_space.form);
-  }
+  if (volume_.depth_clamp) half_spaces_.resize(4);
+  for (HalfSpace& half_space : half_spaces_) drop_zero_terms(half_space.form);
   for (int i = 0; i < volume_.clip_distances; ++i) {
     half_spaces_.push_back({{{1, kFirstAttribute + i}}});
   }
@@ -344,9 +330,7 @@ Truth Truth::inset(double distance, double attribute_distance) const {
     half_space.form.push_back(
         {is_clip_distance ? -attribute_distance : -distance / half_space.clip_scale, kOne});
   }
-  if (distance < 0) {
-    truth.half_spaces_.push_back({w_});
-  }
+  if (distance < 0) truth.half_spaces_.push_back({w_});
   return truth;
 }
 

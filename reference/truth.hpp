@@ -18,8 +18,9 @@
 //
 // and of clip space w + x, w - x, w + y, w - y, and by depth range z + w or z, and w - z.
 //
-// Options of the volume (spaces/volume.hpp): with depth clamp near and far are left out. The sides then
-// leave w >= 0 by themselves: (w + x) + (w - x) = 2 w. A clip distance is the form of an attribute.
+// Options of the volume (spaces/volume.hpp): with depth clamp near and far are left out. The sides
+// then leave w >= 0 by themselves: (w + x) + (w - x) = 2 w. A clip distance is the form of an
+// attribute.
 #pragma once
 
 #include <array>
@@ -46,7 +47,8 @@ struct InputTriangle {
   int attribute_count = 0;
 };
 
-// Whether no coordinate or attribute in use is NaN or infinite: the pre-condition of all that follows.
+// Whether no coordinate or attribute in use is NaN or infinite: the pre-condition of all that
+// follows.
 bool is_finite(std::span<const InputVertex> vertices, int attribute_count);
 bool is_finite(const InputTriangle& triangle);
 
@@ -55,12 +57,8 @@ template <Space S, std::floating_point T, int K>
 requires(S != Space::ndc && sizeof(T) <= sizeof(double)) InputVertex
     input_vertex(const Vertex<S, T, K>& vertex) {
   InputVertex r;
-  for (int c = 0; c < Vertex<S, T, K>::kDimension; ++c) {
-    r.position[c] = vertex.position[c];
-  }
-  for (int k = 0; k < vertex.attributes.size(); ++k) {
-    r.attributes[k] = vertex.attributes[k];
-  }
+  for (int c = 0; c < Vertex<S, T, K>::kDimension; ++c) r.position[c] = vertex.position[c];
+  for (int k = 0; k < vertex.attributes.size(); ++k) r.attributes[k] = vertex.attributes[k];
   return r;
 }
 
@@ -71,8 +69,8 @@ InputTriangle input_triangle(const Triangle<S, T, K>& triangle) {
           triangle[0].attributes.size()};
 }
 
-// sum of coefficient * coordinate. Coordinates 0 to 3 are those of InputVertex::position; kOne is the
-// constant 1, in clip space too; kFirstAttribute + i is attribute i.
+// sum of coefficient * coordinate. Coordinates 0 to 3 are those of InputVertex::position; kOne is
+// the constant 1, in clip space too; kFirstAttribute + i is attribute i.
 inline constexpr int kOne = 4;
 inline constexpr int kFirstAttribute = 5;
 
@@ -88,7 +86,8 @@ Dyadic value(const LinearForm& form, const InputVertex& vertex);
 int sign(const LinearForm& form, const InputVertex& vertex);
 
 // One row of the exact projection matrix, times `scale` > 0: where the frustum's numbers ask for a
-// quotient, its divisor is the scale. By coordinate, as in LinearForm; attributes take no part.
+// quotient, its divisor is the scale. Coefficients go by coordinate, as in LinearForm;
+// attributes take no part.
 struct ProjectionForm {
   std::array<Dyadic, 5> coefficients;
   Dyadic scale = 1;
@@ -104,18 +103,18 @@ class Truth {
   // given, if the two differ in depth range.
   static Truth of_frustum(const Frustum<double>& frustum);
   static Truth of_frustum(const Frustum<double>& frustum, const ClipVolume& volume);
-  // All planes come from the matrix as given, with an infinite far plane too; of the frustum nothing
-  // is used. Throws std::invalid_argument if the matrix isn't finite.
+  // All planes come from the matrix as given, with an infinite far plane too; of the frustum
+  // nothing is used. Throws std::invalid_argument if the matrix isn't finite.
   static Truth of_matrix(const Projection<float>& projection);
   static Truth of_matrix(const Projection<double>& projection);
   static Truth of_clip(DepthRange depth);
   static Truth of_clip(const ClipVolume& volume);
 
-  // The same projection, each plane moved inwards so that d_p >= distance holds, where d_p is the form
-  // w + x and so on of the true clip coordinates (w = -z_view for perspective, 1 for parallel), and
-  // each clip distance so that it is >= attribute_distance.
-  // A negative distance moves outwards, but w >= 0 remains a condition then, and vertices with w = 0
-  // remain outside. The distance is turned into view-space forms in double: it is a loose bound.
+  // The same projection, each plane moved inwards so that d_p >= distance holds, where d_p is the
+  // form w + x and so on of the true clip coordinates (w = -z_view for perspective, 1 for
+  // parallel), and each clip distance so that it is >= attribute_distance.
+  // A negative distance moves outwards, but w >= 0 remains a condition then, and vertices with w =
+  // 0 remain outside. The distance is turned into view-space forms in double: it is a loose bound.
   // The plane of an infinite far stays where it is.
   Truth inset(double distance, double attribute_distance = 0) const;
 
@@ -126,8 +125,8 @@ class Truth {
   std::array<Rational, 4> clip_position(const InputVertex& vertex) const;
 
   // The half-spaces of the volume in the order of Plane, then the clip distances; and w. Absent are
-  // near and far with depth clamp, and the infinite far plane of a frustum's truth. An outward inset
-  // appends w >= 0.
+  // near and far with depth clamp, and the infinite far plane of a frustum's truth. An outward
+  // inset appends w >= 0.
   struct HalfSpace {
     LinearForm form;
     double clip_scale = 1;  // form times clip_scale is w + x and so on

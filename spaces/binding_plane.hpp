@@ -2,14 +2,14 @@
 //
 // The plane that binds an end of a segment, found by comparing products instead of parameters.
 //
-// Of the planes that an end is outside of, the one that cuts away most binds it. The part cut away and
-// the part kept are as |d_cut| to d_kept, so two planes compare by two products and no division; and
-// what binds the one end comes before what binds the other if cut / kept there < kept / cut here.
-// This is the determinant of the distances whose sign tells on which side of a corner of the volume
-// the segment passes; Nicholl, Lee and Nicholl, "An Efficient New Algorithm for 2-D Line Clipping: Its
-// Development and Analysis", SIGGRAPH 1987, compare slopes by it.
-// Does not guarantee: the exact order of planes whose ratios differ by less than the rounding of two
-// products.
+// An end is bound by the plane that cuts away most, among those that it is outside of. The part cut
+// away and the part kept are as |d_cut| to d_kept, so two planes compare by two products and no
+// division; and what binds the one end comes before what binds the other if cut / kept there < kept
+// / cut here. This is the determinant of the distances whose sign tells on which side of a corner
+// of the volume the segment passes; Nicholl, Lee and Nicholl, "An Efficient New Algorithm for 2-D
+// Line Clipping: Its Development and Analysis", SIGGRAPH 1987, compare slopes by it.
+// Does not guarantee: the exact order of planes whose ratios differ by less than the rounding of
+// two products.
 #pragma once
 
 #include <limits>
@@ -40,8 +40,8 @@ constexpr bool is_ratio_less(const T& a, const T& b, const T& c, const T& d) {
   return less;
 }
 
-// The plane that an end is to be moved to, with the distances d_kept of the other end and d_cut of the
-// end itself.
+// The plane that an end is to be moved to, with the distances d_kept of the other end and d_cut of
+// the end itself.
 template <Scalar T>
 struct BindingPlane {
   bool binds = false;
@@ -50,9 +50,7 @@ struct BindingPlane {
 
   // Takes over a plane that cuts away more. Pre-condition: kept > 0 > cut.
   constexpr void tighten(Plane by, const T& kept, const T& cut) {
-    if (!binds || is_ratio_less<T>(T(-d_cut), d_kept, T(-cut), kept)) {
-      *this = {true, by, kept, cut};
-    }
+    if (!binds || is_ratio_less<T>(T(-d_cut), d_kept, T(-cut), kept)) *this = {true, by, kept, cut};
   }
 };
 

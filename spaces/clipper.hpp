@@ -2,19 +2,20 @@
 //
 // The contract that makes clippers interchangeable, and the promise that each one makes.
 //
-// A clipper is a stateless function object: a view-space primitive (a triangle, a segment, a point) and
-// a projection in; one convex polygon in the canonical view volume out (a triangle gives 0 or 3 to 9
-// vertices, more with clip distances, in its own winding; a segment 0 or 2, in its own order; a point
-// 0 or 1), each vertex with x y z in NDC, 1/w and its attributes as the true values at that point. A
-// clipper whose method starts at clip coordinates also takes clip-space primitives and the volume.
+// A clipper is a stateless function object: a view-space primitive (a triangle, a segment, a point)
+// and a projection in; one convex polygon in the canonical view volume out (a triangle gives 0 or 3
+// to 9 vertices, more with clip distances, in its own winding; a segment 0 or 2, in its own order;
+// a point 0 or 1), each vertex with x y z in NDC, 1/w and its attributes as the true values at that
+// point. A clipper whose method starts at clip coordinates also takes clip-space primitives and the
+// volume.
 //
 // Clippers are total: no throw, no allocation (but `textbook`, whose point it is), no globals. The
 // policy for NaN and infinity, the same for all of them:
 //   - a primitive with a position coordinate that is NaN or infinite yields nothing;
 //   - attributes are not looked at, clip distances apart: a vertex whose clip distance is NaN is
 //     outside of it;
-//   - from finite positions no NaN and no infinite x, y or z comes out: where a result overflows on its
-//     way, nothing comes out. 1/w may overflow to infinity.
+//   - from finite positions no NaN and no infinite x, y or z comes out: where a result overflows on
+//     its way, nothing comes out. 1/w may overflow to infinity.
 #pragma once
 
 #include <array>
@@ -27,17 +28,18 @@
 
 namespace clipscope {
 
-// What a clipper promises for finite input. The error bound is a backward error: the polygon is what
-// exact clipping would give had each clip-space coordinate been moved by at most
+// What a clipper promises for finite input. The error bound is a backward error: the polygon is
+// what exact clipping would give had each clip-space coordinate been moved by at most
 //
 //     ulps * u * M * amplification
 //
-// where u is the scalar's unit roundoff, M the largest sum of magnitudes of the terms that make up a
-// clip-space coordinate of the triangle's vertices, and amplification is 1 or, for methods that cut
-// after the divide, w_max / w_min over the triangle (after its near cut where there is one). Exact
-// scalars have u = 0: there the promise is the exact answer. It speaks of triangles whose visible part
-// keeps w above that error (all that a near plane lets through) and of numbers that do not overflow.
-// `clipscope verify` checks a promise on every triangle, and the tests try to break it.
+// where u is the scalar's unit roundoff, M the largest sum of magnitudes of the terms that make up
+// a clip-space coordinate of the triangle's vertices, and amplification is 1 or, for methods that
+// cut after the divide, w_max / w_min over the triangle (after its near cut where there is one).
+// Exact scalars have u = 0: there the promise is the exact answer. It speaks of triangles whose
+// visible part keeps w above that error (all that a near plane lets through) and of numbers that do
+// not overflow. `clipscope verify` checks a promise on every triangle, and the tests try to break
+// it.
 struct Promise {
   // Which finite triangles the error bound speaks of.
   enum class Domain {
@@ -55,16 +57,17 @@ struct Promise {
   double ulps = 0;
   Amplification amplification = Amplification::none;
 
-  // The rest holds to the bit, for every triangle (`total`) or as long as nothing over- or underflows.
+  // The rest holds to the bit, for every triangle (`total`) or as long as nothing over- or
+  // underflows.
   bool total = true;        // never a NaN or an infinite x, y or z from finite positions
   bool watertight = false;  // vertices on an edge depend on that edge alone, not on its direction
   bool rotation_invariant = true;  // the same vertices whichever of the input's vertices is first
   bool scale_invariant =
       true;  // the same for homogeneous coordinates (or view-space lengths) times 2^k
-  // Every coordinate, 1/w and attribute is the exact one rounded once, to nearest, ties to even, and the
-  // vertices are those of the exact polygon, some of them repeated where it has no area; nothing where z
-  // rounds to infinity. The truth of view-space triangles is that of the frustum's exact numbers. In
-  // float only; `domain` does not limit it.
+  // Every coordinate, 1/w and attribute is the exact one rounded once, to nearest, ties to even,
+  // and the vertices are those of the exact polygon, some of them repeated where it has no area;
+  // nothing where z rounds to infinity. The truth of view-space triangles is that of the frustum's
+  // exact numbers. In float only; `domain` does not limit it.
   bool correctly_rounded = false;
 
   // Options of the volume that the method takes. Where it does not, its answer is "not applicable".
@@ -79,12 +82,12 @@ constexpr bool is_applicable(const Promise& promise, const ClipVolume& volume) {
 }
 
 // Worst-case bounds that promises are made of, in units of u M, to first order in u.
-// Project and divide: 3 for the rounding of a matrix entry, 3 for a product and two sums, 3 for x/w, 1/w
-// and taking their quotient.
+// Project and divide: 3 for the rounding of a matrix entry, 3 for a product and two sums, 3 for
+// x/w, 1/w and taking their quotient.
 inline constexpr double kProjectUlps = 9;
-// One cut: 6 for t (three roundings of a quotient of distances, along an edge of at most 2 M), 2 for
-// b - a, 2 for its product with t, 1 for the sum, 3 for a view-space distance. New vertices are cut again
-// by later planes: six times at most.
+// One cut: 6 for t (three roundings of a quotient of distances, along an edge of at most 2 M), 2
+// for b - a, 2 for its product with t, 1 for the sum, 3 for a view-space distance. New vertices are
+// cut again by later planes: six times at most.
 inline constexpr double kChainUlps = kProjectUlps + 6 * 14;
 
 template <class C, class T, int K, std::size_t N = 3>
@@ -127,9 +130,9 @@ concept Clipper = std::is_empty_v<C> && std::default_initializable<C> && require
 } && ClipsViewSpace<C, float, 4, N>;
 
 // The call operators of a clipper that starts at clip coordinates. What it does there is the static
-// Steps::clip(volume, primitive, out), which says by its types what it takes. Steps may be the clipper
-// itself, which is incomplete where its base is made; Self puts the question off until the call. Up to
-// clang 15 a constraint that names an incomplete class is false, without a word.
+// Steps::clip(volume, primitive, out), which says by its types what it takes. Steps may be the
+// clipper itself, which is incomplete where its base is made; Self puts the question off until the
+// call. Up to clang 15 a constraint that names an incomplete class is false, without a word.
 template <class Steps>
 struct StartsInClipSpace {
   template <Scalar T, int K, std::size_t N, class Self = Steps>
@@ -206,9 +209,9 @@ constexpr int index_of(TypeList<Ts...>) {
   return i;
 }
 
-// An entry of a list of clippers: C, and whether its call operators take clip-space primitives beside
-// view-space ones. The list holds C to that, so that none is missing where a compiler rejects a
-// constraint.
+// An entry of a list of clippers: C, and whether its call operators take clip-space primitives
+// beside view-space ones. The list holds C to that, so that none is missing where a compiler
+// rejects a constraint.
 template <class C, bool kTakesClipSpace>
 struct ClipperEntry {
   template <std::size_t N>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The list of all clippers. To add one: write its header, include it here and add its name to the
-// list, with the spaces that it takes; everything else (program, experiments, contract tests) follows
-// from that. In which scalars it exists is what its call operators take.
+// list, with the spaces that it takes; everything else (program, experiments, contract tests)
+// follows from that. In which scalars it exists is what its call operators take.
 #pragma once
 
 #include "spaces/barycentric/correctly_rounded.hpp"

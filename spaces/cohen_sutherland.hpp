@@ -2,16 +2,16 @@
 //
 // Cohen and Sutherland's segment clipper, for every space.
 //
-// Outcodes accept and reject. Else an outside end moves to one of the planes that it is outside of, its
-// outcode is computed again, and so on until the outcodes settle it. Each move starts from the segment
-// as it is by then: what one plane shortened, the next may shorten again, and all but the last of
-// these intersections are thrown away.
-// Source: Cohen and Sutherland, in Newman and Sproull, "Principles of Interactive Computer Graphics",
-// 1973, chapter 5 (4 bits in a window, 6 bits in a volume).
+// Outcodes accept and reject. Else an outside end moves to one of the planes that it is outside of,
+// its outcode is computed again, and so on until the outcodes settle it. Each move starts from the
+// segment as it is by then: what one plane shortened, the next may shorten again, and all but the
+// last of these intersections are thrown away.
+// Source: Cohen and Sutherland, in Newman and Sproull, "Principles of Interactive Computer
+// Graphics", 1973, chapter 5 (4 bits in a window, 6 bits in a volume).
 // Guarantees: it ends: a plane that an end was moved to counts as settled for that end, however the
 // move was rounded; so each plane is used twice at most, and once in exact arithmetic.
-// Does not guarantee: the same bits for a segment and its reverse where both ends are outside: the first
-// end moves first.
+// Does not guarantee: the same bits for a segment and its reverse where both ends are outside: the
+// first end moves first.
 #pragma once
 
 #include <bit>

@@ -17,7 +17,8 @@
 
 namespace clipscope {
 
-// Operations since the last reset, by kind. A negation costs nothing that matters and is not counted.
+// Operations since the last reset, by kind. A negation costs nothing that matters and is not
+// counted.
 struct OperationCounts {
   std::uint64_t additions = 0;  // and subtractions
   std::uint64_t multiplications = 0;

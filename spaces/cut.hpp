@@ -2,14 +2,14 @@
 //
 // Sutherland-Hodgman's step: a convex polygon against one plane.
 //
-// A polygon is any list of vertices with size, [], clear and push_back: Polygon of fixed capacity or
-// std::vector; the arithmetic is the same.
+// A polygon is any list of vertices with size, [], clear and push_back: Polygon of fixed capacity
+// or std::vector; the arithmetic is the same.
 // Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974.
-// Guarantees: the winding is kept; a vertex on the plane (d = 0) is kept and makes no second copy of
-// itself; a new vertex is interpolated from the inside end of its edge towards the outside end, so
-// that both neighbours of a shared edge compute the same bits from the same two vertices.
-// Does not guarantee: that a new vertex lies on the plane, or that distances of later planes have the
-// sign that exact arithmetic would give them: new vertices are rounded.
+// Guarantees: the winding is kept; a vertex on the plane (d = 0) is kept and makes no second copy
+// of itself; a new vertex is interpolated from the inside end of its edge towards the outside end,
+// so that both neighbours of a shared edge compute the same bits from the same two vertices.
+// Does not guarantee: that a new vertex lies on the plane, or that distances of later planes have
+// the sign that exact arithmetic would give them: new vertices are rounded.
 #pragma once
 
 #include <algorithm>
@@ -36,9 +36,7 @@ constexpr void cut(const P& in, P& out, Distance&& distance, Meet&& meet) {
   using T = ScalarOf<P, Distance>;
   out.clear();
   const auto n = in.size();
-  if (n == 0) {
-    return;
-  }
+  if (n == 0) return;
   const T zero(0);
   auto previous = n - 1;
   T d_previous = distance(in[previous]);
@@ -51,9 +49,7 @@ constexpr void cut(const P& in, P& out, Distance&& distance, Meet&& meet) {
       const T t = cut_parameter(d, d_previous);
       out.push_back(meet(in[i], in[previous], t));
     }
-    if (zero <= d) {
-      out.push_back(in[i]);
-    }
+    if (zero <= d) out.push_back(in[i]);
     previous = i;
     d_previous = d;
   }
@@ -68,8 +64,8 @@ constexpr void cut(const P& in, P& out, Distance&& distance) {
   });
 }
 
-// Cuts by each plane of the code, in the order of for_each_plane, to and fro between two lists; returns
-// the one that holds the rest. distance(plane, v) is the signed distance.
+// Cuts by each plane of the code, in the order of for_each_plane, to and fro between two lists;
+// returns the one that holds the rest. distance(plane, v) is the signed distance.
 template <class P, class Distance, class... Meet>
 constexpr P& cut_by_planes(P& polygon, P& scratch, Outcode planes,
                            const std::array<Plane, kPlanes>& order, Distance&& distance,

@@ -2,13 +2,13 @@
 //
 // Expansions: exact sums and products of doubles, and the exact sign of them.
 //
-// An expansion is a sum of doubles that do not overlap, ordered by growing magnitude, without zeros;
-// its sign is that of the last one. Source: Shewchuk, "Adaptive Precision Floating-Point Arithmetic and
-// Fast Robust Geometric Predicates", Discrete & Computational Geometry 18, 1997: Fast-Expansion-Sum
-// (figure 8), Scale-Expansion (figure 13) and Compress (figure 15), zeros left out as he does, and
-// TwoSum where his FastTwoSum would do. With rounding to nearest even, sums and products of strongly
-// nonoverlapping expansions are strongly nonoverlapping, and what is compressed is nonadjacent, which
-// is more.
+// An expansion is a sum of doubles that do not overlap, ordered by growing magnitude, without
+// zeros; its sign is that of the last one. Source: Shewchuk, "Adaptive Precision Floating-Point
+// Arithmetic and Fast Robust Geometric Predicates", Discrete & Computational Geometry 18, 1997:
+// Fast-Expansion-Sum (figure 8), Scale-Expansion (figure 13) and Compress (figure 15), zeros left
+// out as he does, and TwoSum where his FastTwoSum would do. With rounding to nearest even, sums and
+// products of strongly nonoverlapping expansions are strongly nonoverlapping, and what is
+// compressed is nonadjacent, which is more.
 //
 // Sizes are counted at compile time, in doubles: a sum of N and M has N + M, a product 2 N M.
 // Guarantees: exact, as long as nothing overflows and every number that occurs is a multiple of the
@@ -111,13 +111,14 @@ Expansion<2 * N * M> operator*(const Expansion<N>& a, const Expansion<M>& b) {
   return r;
 }
 
-// The same value in few components, the largest of which is within one unit in its last place of it.
+// The same value in few components, the largest of which is within one unit in its last place of
+// it.
 //
-// Lemma: a value whose components are multiples of 2^low and less than 2^high in magnitude is left with
-// at most (high - low) / 52 + 2 components. Proof: in the downward pass q, the rounding error of `sum`,
-// is at most half a unit in the last place of sum, a multiple of all that is left over, and larger than
-// the rest below it; the next component is therefore at most one such unit, 2^-52 of sum or less. The
-// upward pass only makes fewer of them.
+// Lemma: a value whose components are multiples of 2^low and less than 2^high in magnitude is left
+// with at most (high - low) / 52 + 2 components. Proof: in the downward pass q, the rounding error
+// of `sum`, is at most half a unit in the last place of sum, a multiple of all that is left over,
+// and larger than the rest below it; the next component is therefore at most one such unit, 2^-52
+// of sum or less. The upward pass only makes fewer of them.
 // Pre-condition: N is at least that.
 template <int N, int M>
 Expansion<N> compressed(const Expansion<M>& value) {

@@ -2,23 +2,23 @@
 //
 // Liang and Barsky's segment clipper, for every space, in two variants.
 //
-// Each plane either lets the segment in (d grows from the first end to the second) or lets it out. The
-// plane that lets it in last and the plane that lets it out first bound what is visible, if the first
-// of these comes before the second. Both ends are found from the original ends, each once.
+// Each plane either lets the segment in (d grows from the first end to the second) or lets it out.
+// The plane that lets it in last and the plane that lets it out first bound what is visible, if the
+// first of these comes before the second. Both ends are found from the original ends, each once.
 //
 //   always           as published: a quotient for every plane that the segment is not parallel to
 //   when_shortened   planes are compared by products: a plane lets in later than another if its
-//                    |d_first| / d_second is larger, and what is visible has
-//                    d_first e_second < e_first d_second (d lets in, e lets out). One division for each
-//                    end that is really moved, none to accept or reject.
+//                    |d_first| / d_second is larger, and what is visible has d_first e_second <
+//                    e_first d_second (d lets in, e lets out). One division for each end that is
+//                    really moved, none to accept or reject.
 //
-// Source: Liang and Barsky, "A New Concept and Method for Line Clipping", ACM TOG 3(1), 1984; the same in
-// homogeneous coordinates: section 5 there, and Blinn, "A Trip Down the Graphics Pipeline: Line
-// Clipping", IEEE CG&A 11(1), 1991. Comparing products: this project.
+// Source: Liang and Barsky, "A New Concept and Method for Line Clipping", ACM TOG 3(1), 1984; the
+// same in homogeneous coordinates: section 5 there, and Blinn, "A Trip Down the Graphics Pipeline:
+// Line Clipping", IEEE CG&A 11(1), 1991. Comparing products: this project.
 // Parameters are measured from the end that is kept, not from the first end, so a segment and its
 // reverse give the same bits, and a segment cut by one plane those of a polygon's edge.
-// Does not guarantee: that when_shortened never divides more: where products leave the scalar's range it
-// compares quotients.
+// Does not guarantee: that when_shortened never divides more: where products leave the scalar's
+// range it compares quotients.
 #pragma once
 
 #include "spaces/binding_plane.hpp"
@@ -89,8 +89,8 @@ struct LiangBarsky {
     return true;
   }
 
-  // Whether the ends, as moved, still come in their order. Where one end stays nothing can go wrong;
-  // and 1 + t would lose a small t.
+  // Whether the ends, as moved, still come in their order. Where one end stays nothing can go
+  // wrong; and 1 + t would lose a small t.
   template <class T>
   static constexpr bool overlap(const std::array<Bound<T>, 2>& bounds) {
     return !bounds[0].moves() || !bounds[1].moves() || T(1) < bounds[0].t + bounds[1].t;

@@ -2,22 +2,24 @@
 //
 // One segment against one plane: what is left of it, and the parameter of the cut.
 //
-// d is a signed distance form of the plane: > 0 inside, < 0 outside; 0, on the plane, is inside. The
-// segment is cut at t = d_kept / (d_kept - d_cut), measured from the end that is kept (t = 0) towards
-// the end that is cut away (t = 1), whichever of them comes first in the segment. So both directions
-// of a segment give the same bits, and callers interpolate what they like: interpolate(kept, cut, t).
+// d is a signed distance form of the plane: > 0 inside, < 0 outside; 0, on the plane, is inside.
+// The segment is cut at t = d_kept / (d_kept - d_cut), measured from the end that is kept (t = 0)
+// towards the end that is cut away (t = 1), whichever of them comes first in the segment. So both
+// directions of a segment give the same bits, and callers interpolate what they like:
+// interpolate(kept, cut, t).
 //
 //   plane by point and normal  d = n . (x - p)         6 multiplications and 1 division when cut
-//   plane of the clip volume   d = w + x and its kin   0 multiplications and 1 division when cut, the
+//   plane of the clip volume   d = w + x and its kin   0 multiplications and 1 division when cut,
+//                              the
 //                                                      same for perspective, parallel and oblique
 // and no division when nothing is cut.
 //
 // The denominator never vanishes: a cut needs d_kept > 0 > d_cut. That is so even where the plane's
 // equation x / w = -1 has no solution, as on the segment from (-2, y, z, 3) to (4, y, z, -3).
-// Source: the parametric form of Liang and Barsky, "A New Concept and Method for Line Clipping", ACM
-// TOG 3(1), 1984; clip-space forms: Blinn and Newell, "Clipping Using Homogeneous Coordinates", 1978.
-// Does not guarantee: 0 < t < 1 in rounded arithmetic: t may round to 0 or 1, and where d_kept - d_cut
-// overflows it is 0 or NaN.
+// Source: the parametric form of Liang and Barsky, "A New Concept and Method for Line Clipping",
+// ACM TOG 3(1), 1984; clip-space forms: Blinn and Newell, "Clipping Using Homogeneous Coordinates",
+// 1978. Does not guarantee: 0 < t < 1 in rounded arithmetic: t may round to 0 or 1, and where
+// d_kept - d_cut overflows it is 0 or NaN.
 #pragma once
 
 #include "spaces/planes.hpp"
@@ -65,8 +67,8 @@ constexpr PlaneCut<T> cut_segment(const T& d_first, const T& d_second) {
   }
 }
 
-// A plane through a point. The side that the normal points to is inside. The normal's length does not
-// matter.
+// A plane through a point. The side that the normal points to is inside. The normal's length does
+// not matter.
 template <Scalar T>
 struct PointNormalPlane {
   Vec3<T> point;
@@ -89,7 +91,8 @@ constexpr PlaneCut<T> cut_segment(const PointNormalPlane<T>& plane, const Vec3<T
   return cut_segment(d_first, d_second);
 }
 
-// A plane of the clip volume, in clip space or in NDC. A clip distance in NDC costs 2 multiplications.
+// A plane of the clip volume, in clip space or in NDC. A clip distance in NDC costs 2
+// multiplications.
 template <Space S, Scalar T, int K>
 requires(S != Space::view) constexpr PlaneCut<T> cut_segment(DepthRange depth, Plane plane,
                                                              const Vertex<S, T, K>& first,

@@ -11,8 +11,8 @@
 //   near   -z - near             -z - near            by depth range: z + w, z or w - z
 //   far     z + far              z + far              by depth range: w - z, w - z or z
 //
-// and after these six the clip distances of the volume: plane kPlanes + i is attribute i, in NDC divided
-// by w, which makes it linear there.
+// and after these six the clip distances of the volume: plane kPlanes + i is attribute i, in NDC
+// divided by w, which makes it linear there.
 //
 // Clip-space and NDC forms: Blinn and Newell, "Clipping Using Homogeneous Coordinates", 1978.
 // A NaN makes every comparison with it false and hence its vertex an outside one.
@@ -54,7 +54,8 @@ constexpr T user_plane_distance(const Vec4<T>& plane, const Vec3<T>& v) {
   return plane[0] * v[0] + plane[1] * v[1] + plane[2] * v[2] + plane[3];
 }
 
-// Signed distance form of a plane in view space. With an infinite far plane every point is inside it.
+// Signed distance form of a plane in view space. With an infinite far plane every point is inside
+// it.
 template <Scalar T>
 constexpr T view_distance(const Frustum<T>& f, Plane plane, const Vec3<T>& v) {
   const bool perspective = f.kind == ProjectionKind::perspective;
@@ -79,8 +80,9 @@ constexpr T view_distance(const Frustum<T>& f, Plane plane, const Vec3<T>& v) {
   return T(0);
 }
 
-// The same from products that are exact or nearly so (spaces/products.hpp): the sign is the exact one for
-// the side planes of a perspective frustum, and for all planes where the form is a single difference.
+// The same from products that are exact or nearly so (spaces/products.hpp): the sign is the exact
+// one for the side planes of a perspective frustum, and for all planes where the form is a single
+// difference.
 template <Scalar T>
 constexpr T exact_sign_view_distance(const Frustum<T>& f, Plane plane, const Vec3<T>& v) {
   if (f.kind == ProjectionKind::perspective) {
@@ -140,13 +142,12 @@ constexpr T signed_distance(DepthRange depth, Plane plane, const ClipVertex<T, K
 
 template <Scalar T, int K>
 constexpr T signed_distance(DepthRange depth, Plane plane, const NdcVertex<T, K>& v) {
-  if (is_clip_distance(plane)) {
-    return v.attributes[clip_distance_index(plane)] * v.position[3];
-  }
+  if (is_clip_distance(plane)) return v.attributes[clip_distance_index(plane)] * v.position[3];
   return ndc_distance(depth, plane, v.position);
 }
 
-// Outcode in the volume -one <= x, y <= one with the depth range given: comparisons only, hence exact.
+// Outcode in the volume -one <= x, y <= one with the depth range given: comparisons only, hence
+// exact.
 template <Scalar T>
 constexpr Outcode volume_outcode(DepthRange depth, const Vec4<T>& v, const T& one) {
   const T minus_one = -one;
@@ -178,9 +179,7 @@ template <Scalar T>
 constexpr Outcode view_outcode(const Frustum<T>& f, const Vec3<T>& v) {
   Outcode code = 0;
   for (const Plane plane : kAllPlanes) {
-    if (!(T(0) <= view_distance(f, plane, v))) {
-      code |= bit(plane);
-    }
+    if (!(T(0) <= view_distance(f, plane, v))) code |= bit(plane);
   }
   return code;
 }
@@ -222,7 +221,16 @@ constexpr OutcodeSummary summarize_outcodes(const ClipVolume& volume,
   return {r.all & planes, r.any & planes};
 }
 
-// Calls f(plane) for each plane of the code that is in the order given, then for its clip distances.
+template <Scalar T, int K, std::size_t N>
+constexpr OutcodeSummary summarize_outcodes(const ClipVolume& volume,
+                                            const Simplex<Space::clip, T, K, N>& primitive) {
+  return summarize_outcodes(volume, primitive, [&](std::size_t i) {
+    return clip_outcode(volume.depth, primitive[i].position);
+  });
+}
+
+// Calls f(plane) for each plane of the code that is in the order given, then for its clip
+// distances.
 template <std::size_t N, class F>
 constexpr void for_each_plane(Outcode code, const std::array<Plane, N>& order, F&& f) {
   for (const Plane plane : order) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Polygon: a convex polygon of fixed capacity that lives on the stack; nothing is allocated. A clipped
-// segment is a polygon of two vertices, a clipped point one of one.
+// Polygon: a convex polygon of fixed capacity that lives on the stack; nothing is allocated. A
+// clipped segment is a polygon of two vertices, a clipped point one of one.
 //
 // A triangle cut by n planes has at most 3 + n vertices. The capacity covers the six planes of the
 // volume, eight user planes and a guard plane for w, with room left for the extra crossings that
@@ -57,16 +57,12 @@ class VertexList {
   template <std::size_t N>
   constexpr void assign(const std::array<VertexType, N>& primitive) {
     clear();
-    for (const VertexType& v : primitive) {
-      push_back(v);
-    }
+    for (const VertexType& v : primitive) push_back(v);
   }
-  // Fewer vertices than the primitive needs (three for a polygon) enclose nothing: what degenerated to
-  // a point or a segment becomes the empty list.
+  // Fewer vertices than the primitive needs (three for a polygon) enclose nothing: what degenerated
+  // to a point or a segment becomes the empty list.
   constexpr void drop_if_degenerate(int needed = 3) {
-    if (size_ < needed) {
-      clear();
-    }
+    if (size_ < needed) clear();
   }
 
  private:
@@ -78,8 +74,8 @@ class VertexList {
 template <Space S, Scalar T, int K>
 using Polygon = VertexList<Vertex<S, T, K>>;
 
-// Clippers are total: where a result overflowed on its way, nothing is drawn rather than a NaN or an
-// infinite x, y or z.
+// Clippers are total: where a result overflowed on its way, nothing is drawn rather than a NaN or
+// an infinite x, y or z.
 template <Scalar T, int K>
 constexpr void clear_if_overflowed(Polygon<Space::ndc, T, K>& polygon) {
   for (const NdcVertex<T, K>& v : polygon) {

@@ -4,10 +4,10 @@
 //
 // float: the products are exact in double, so one rounding of their sum and one to float remain.
 // double: Kahan's algorithm with fused multiply-adds, error below 1.5 units in the last place:
-// Jeannerod, Louvet and Muller, "Further analysis of Kahan's algorithm for the accurate computation of
-// 2 x 2 determinants", Mathematics of Computation 82, 2013. Exact number types need no care.
-// Double-double has none: without a fused operation its two products and a sum can cancel to nothing.
-// Does not guarantee: anything where a product over- or underflows.
+// Jeannerod, Louvet and Muller, "Further analysis of Kahan's algorithm for the accurate computation
+// of 2 x 2 determinants", Mathematics of Computation 82, 2013. Exact number types need no care.
+// Double-double has none: without a fused operation its two products and a sum can cancel to
+// nothing. Does not guarantee: anything where a product over- or underflows.
 #pragma once
 
 #include <cmath>

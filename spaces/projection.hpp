@@ -3,8 +3,8 @@
 // Frustum and projection: from the view volume to clip coordinates.
 //
 // Perspective (off-centre allowed), orthographic, and oblique parallel projection (an orthographic
-// one after a shear of x and y by z). Depth conventions: OpenGL [-1, 1], Direct3D and Vulkan [0, 1],
-// reversed [1, 0]; each also with the far plane at infinity.
+// one after a shear of x and y by z). Depth conventions: OpenGL [-1, 1], Direct3D and Vulkan [0,
+// 1], reversed [1, 0]; each also with the far plane at infinity.
 //
 // Matrices: OpenGL 1.5 specification, section 2.11.2 (glFrustum, glOrtho), and the same with the
 // depth row changed; far -> infinity: Lengyel, "Projection Matrix Tricks", GDC 2007.
@@ -47,20 +47,19 @@ constexpr Frustum<T> frustum_cast(const Frustum<U>& f) {
 template <Scalar T>
 constexpr bool is_valid(const Frustum<T>& f) {
   const bool sides = f.left < f.right && f.bottom < f.top;
-  if (f.kind == ProjectionKind::parallel) {
-    return sides && !f.infinite_far && f.near < f.far;
-  }
+  if (f.kind == ProjectionKind::parallel) return sides && !f.infinite_far && f.near < f.far;
   return sides && T(0) < f.near && (f.infinite_far || f.near < f.far);
 }
 
-// One row of a projection matrix that is not zero where it may be: a * (own coordinate) + b * z + c.
+// One row of a projection matrix that is not zero where it may be: a * (own coordinate) + b * z +
+// c.
 template <Scalar T>
 struct ProjectionRow {
   T own = T(0), z = T(0), one = T(0);
 };
 
-// The projection: the frustum, the clip volume that it maps to, and the rows of its matrix rounded to
-// T once. Options of the volume (depth clamp, clip distances) are set after construction.
+// The projection: the frustum, the clip volume that it maps to, and the rows of its matrix rounded
+// to T once. Options of the volume (depth clamp, clip distances) are set after construction.
 //   x_clip = x.own x + x.z z + x.one     z_clip = z.z z + z.one
 //   y_clip = y.own y + y.z z + y.one     w_clip = w.z z + w.one
 template <Scalar T>
@@ -68,8 +67,9 @@ struct Projection {
   Frustum<T> frustum;
   ClipVolume volume;
   ProjectionRow<T> x, y, z, w;
-  // The frustum's planes in view space with normals of length 1, in the order of enum Plane: inside is
-  // a x + b y + c z + d >= 0. All zero where T has no square root. An infinite far plane is (0, 0, 0, 1).
+  // The frustum's planes in view space with normals of length 1, in the order of enum Plane: inside
+  // is a x + b y + c z + d >= 0. All zero where T has no square root. An infinite far plane is (0,
+  // 0, 0, 1).
   std::array<Vec4<T>, 6> unit_planes{};
 
   constexpr Projection() = default;
@@ -80,9 +80,7 @@ struct Projection {
     } else {
       set_parallel();
     }
-    if constexpr (HasSquareRoot<T>) {
-      set_unit_planes();
-    }
+    if constexpr (HasSquareRoot<T>) set_unit_planes();
   }
 
  private:
@@ -197,14 +195,12 @@ template <Scalar T, int K, std::size_t N>
 constexpr std::array<ClipVertex<T, K>, N> to_clip(
     const Projection<T>& p, const std::array<ViewVertex<T, K>, N>& primitive) {
   std::array<ClipVertex<T, K>, N> r;
-  for (std::size_t i = 0; i < N; ++i) {
-    r[i] = to_clip(p, primitive[i]);
-  }
+  for (std::size_t i = 0; i < N; ++i) r[i] = to_clip(p, primitive[i]);
   return r;
 }
 
-// The perspective divide: (x/w, y/w, z/w, 1/w), four divisions, each rounded once. w may be anything
-// that T can divide by; what w <= 0 means is the caller's business.
+// The perspective divide: (x/w, y/w, z/w, 1/w), four divisions, each rounded once. w may be
+// anything that T can divide by; what w <= 0 means is the caller's business.
 template <Scalar T>
 constexpr Vec4<T> to_ndc(const Vec4<T>& v) {
   const T x = v[0] / v[3];

@@ -3,8 +3,9 @@
 // Scalar: the number types that a clipper can compute in.
 //
 // Every clipper is written once, as a template over its scalar. The concept asks for field
-// arithmetic and an order, and nothing else: no square root, no rounding mode, no literals but small
-// integers and floats. float, double, QD's dd_real, GMP's mpq_class and Counting<T> all model it.
+// arithmetic and an order, and nothing else: no square root, no rounding mode, no literals but
+// small integers and floats. float, double, QD's dd_real, GMP's mpq_class and Counting<T> all model
+// it.
 //
 // Exact number types are often expression templates: write `const T t = a * b;`, never `auto`, and
 // never `condition ? a * b : c`.

@@ -6,9 +6,9 @@
 //   clip   (x, y, z, w)     after the projection, before the divide; w = -z_view for perspective
 //   ndc    (x, y, z, 1/w)   after the divide; x and y in [-1, 1] inside the canonical view volume
 //
-// A vertex carries K attributes: a number fixed at compile time, or kRunTime for a number known only
-// at run time (at most kMaxAttributes). In every space the attributes are the true values at that
-// point, never divided by w.
+// A vertex carries K attributes: a number fixed at compile time, or kRunTime for a number known
+// only at run time (at most kMaxAttributes). In every space the attributes are the true values at
+// that point, never divided by w.
 #pragma once
 
 #include <array>

@@ -4,8 +4,8 @@
 //
 // Depth clamp: OpenGL 4.6 specification, section 13.7 (near and far do not clip; whoever draws the
 // polygon clamps its depth). Clip distances: the same section, gl_ClipDistance: a value per vertex,
-// linear over the primitive; the part where it is >= 0 is kept. A user clip plane is a clip distance
-// computed from a position (see user_plane_distance in planes.hpp).
+// linear over the primitive; the part where it is >= 0 is kept. A user clip plane is a clip
+// distance computed from a position (see user_plane_distance in planes.hpp).
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,8 @@ inline constexpr int kMaxClipDistances = 8;
 
 struct ClipVolume {
   DepthRange depth = DepthRange::minus_one_to_one;
-  // The near and far planes do not clip. The side planes leave w >= 0; depths outside the range remain.
+  // The near and far planes do not clip. The side planes leave w >= 0; depths outside the range
+  // remain.
   bool depth_clamp = false;
   // The first so many attributes of each vertex are clip distances: 0 to kMaxClipDistances, and at
   // most the number of attributes.

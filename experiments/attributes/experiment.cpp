@@ -2,16 +2,14 @@
 //
 // Attributes: planes crossed x clippers x scalars x interpolation modes, at vertices and inside.
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
-#include "experiments/attributes/attribute_errors.hpp"
-#include "experiments/attributes/tables.hpp"
-#include "experiments/experiment.hpp"
-#include "experiments/perspective/named_contestants.hpp"
-#include "experiments/report/progress.hpp"
-#include "experiments/report/replay_text.hpp"
+#include "experiments/attributes/rows.hpp"
+#include "experiments/machine/progress.hpp"
+#include "experiments/report/experiment.hpp"
+#include "experiments/selection/replay_text.hpp"
+#include "experiments/store/piece_record.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::attributes {
 namespace {
 
 constexpr std::array<std::string_view, 7> kClippers = {"textbook",
@@ -21,64 +19,58 @@ constexpr std::array<std::string_view, 7> kClippers = {"textbook",
                                                        "cvv/naive",
                                                        "cvv/perspective",
                                                        "barycentric/distance_matrix"};
-constexpr std::size_t kTriangles = 1000, kQuickTriangles = 100;  // for each number of planes
-constexpr int kPoints = 2;                                       // inside each triangle
+constexpr int kPoints = 2;  // inside each triangle
 
-std::vector<Wanted> wanted_of(const std::vector<AttributeTriangle>& triangles, std::uint64_t seed) {
-  const auto truth = reference::Truth::of_frustum(frustum_cast<double>(attribute_frustum()));
-  std::vector<Wanted> wanted(triangles.size());
-  tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {
-    wanted[i] = wanted_values(truth, triangles[i], kPoints, seed + i);
-  });
-  return wanted;
-}
-
-WorstInput worst_input(const AnyContestant& contestant, const AttributeTriangle& triangle,
-                       double error) {
-  const std::string input = hex_line(triangle);
-  return {std::string(clipper_name(contestant)),
-          std::string(scalar_name(contestant)),
-          "attribute",
-          error,
-          input,
-          fmt::format("echo '{}' | clipscope explain {} --clipper {} --scalar {}", input,
-                      attribute_options(), clipper_name(contestant), scalar_name(contestant))};
-}
-
-void measure_planes(const Selection& selection, int planes, AttributeTables& tables,
-                    CellRecord& record) {
-  const std::size_t count = selection.sample != 0 ? selection.sample
-                            : selection.quick     ? kQuickTriangles
-                                                  : kTriangles;
-  const auto triangles = crossing_triangles(planes, count, selection.seed);
-  const auto wanted = wanted_of(triangles, selection.seed);
-  for (const AnyContestant& contestant : named_contestants(selection, kClippers)) {
-    const AttributeTally tally = attribute_errors(contestant, triangles, wanted);
-    add_tally(tables, planes, contestant, tally);
-    if (tally.worst > 0) {
-      record.worst_inputs.push_back(
-          worst_input(contestant, triangles[tally.worst_at], tally.worst));
-    }
+void add_rows(const Contestant& contestant, int planes, const Tally& tally,
+              TableOf<ErrorRow>& errors, TableOf<FlatRow>& flat) {
+  const std::string clipper(contestant.clipper), scalar(contestant.scalar());
+  const std::int64_t n = tally.triangles;
+  for (int t = 0; t < kTreatments; ++t) {
+    const auto treatment = static_cast<Treatment>(t);
+    const TreatmentErrors& e = tally[treatment];
+    errors.add({treatment, planes, clipper, scalar, n, e.absolute.quantile(0.5), e.absolute.max(),
+                e.ulp.quantile(0.5), e.ulp.max(), e.inside});
   }
+  const auto percent = [&](std::int64_t part) {
+    return n == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(n);
+  };
+  flat.add({planes, clipper, scalar, n, tally.wrong, percent(tally.first_changed),
+            percent(tally.last_changed), percent(tally.constant_changed)});
+}
+
+void measure_planes(const Selection& selection, int planes, TableOf<ErrorRow>& errors,
+                    TableOf<FlatRow>& flat, PieceRecord& record) {
+  const auto triangles = crossing_triangles(planes, selection.sample_or(100, 1000), selection.seed);
+  const auto wanted = wanted_values(triangles, kPoints, selection.seed);
+  const Batch batch = batch_of(attribute_frustum(), std::span(triangles));
+  for (const Contestant* contestant : named_contestants(selection, kClippers)) {
+    const Tally tally = measure_errors(*contestant, triangles, wanted);
+    add_rows(*contestant, planes, tally, errors, flat);
+    if (tally.worst == 0) continue;
+    record.worst_inputs.push_back(
+        worst_input(*contestant, replay_text(batch, tally.worst_at), "attribute", tally.worst));
+  }
+}
+
+void run(const ExperimentContext& context) {
+  TableOf<ErrorRow> errors;
+  TableOf<FlatRow> flat;
+  Progress progress("attributes by planes crossed", kPlanes);
+  for (int planes = 1; planes <= kPlanes; ++planes) {
+    context.piece(fmt::format("planes {}", planes), {&errors, &flat}, [&](PieceRecord& record) {
+      measure_planes(context.selection(), planes, errors, flat, record);
+    });
+    progress.advance();
+  }
+  const std::vector<ErrorRow> rows = errors.rows();
+  context.emit(errors, flat, error_plot(rows), inside_plot(rows), treatments_plot(rows));
+  context.finding(finding(rows, flat.rows()));
 }
 
 }  // namespace
 
-void run_attributes(const ExperimentContext& context) {
-  AttributeTables tables;
-  Progress progress("attributes by planes crossed", kPlanes);
-  for (int planes = 1; planes <= kPlanes; ++planes) {
-    context.cell(
-        fmt::format("planes {}", planes), {&tables.errors, &tables.flat},
-        [&](CellRecord& record) { measure_planes(context.selection(), planes, tables, record); });
-    progress.advance();
-  }
-  context.emit(tables.errors);
-  context.emit(tables.flat);
-  context.emit(error_over_planes(tables));
-  context.emit(error_inside(tables));
-  context.emit(error_of_treatments(tables));
-  context.finding(attributes_finding(tables));
-}
+extern constinit const Experiment kExperiment{
+    "attributes", "What does clipping do to attributes, by planes crossed and interpolation mode?",
+    run};
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::attributes

@@ -1,52 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bounds: scenes of objects x kinds of bounding volume: what they settle, exactly judged, and the time
-// saved.
+// Bounds: scenes of objects x kinds of bounding volume: what they settle, exactly judged, and the
+// time saved.
 #include <fmt/format.h>
 
-#include "experiments/bounds/report.hpp"
-#include "experiments/experiment.hpp"
-#include "experiments/measure/machine.hpp"
-#include "experiments/report/progress.hpp"
+#include "experiments/bounds/rows.hpp"
+#include "experiments/machine/machine.hpp"
+#include "experiments/machine/progress.hpp"
+#include "experiments/report/experiment.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::bounds {
 namespace {
 
-// In float: the bounds are held to what a float clipper sees. By default one with outcodes of its own,
-// which reject and accept cheaply, so that what bounds save is not overstated.
-std::vector<const Contestant<float>*> clippers_of(const Selection& selection) {
-  const std::string pattern =
-      selection.clipper == "*" ? "homogeneous/sutherland_hodgman" : selection.clipper;
-  std::vector<const Contestant<float>*> clippers;
-  for (const AnyContestant& any : select_contestants(pattern, {"float"})) {
-    clippers.push_back(std::get<const Contestant<float>*>(any));
-  }
-  return clippers;
+// In float: the bounds are held to what a float clipper sees. By default one with outcodes of its
+// own, which reject and accept cheaply, so that what bounds save is not overstated.
+Contestants clippers_of(const Selection& selection) {
+  const bool any = selection.clipper == "*";
+  return select_contestants(any ? "homogeneous/sutherland_hodgman" : selection.clipper, {"float"});
 }
 
-BoundsOptions options_of(const Selection& selection) {
-  BoundsOptions options = selection.quick ? BoundsOptions{9, 4000} : BoundsOptions{31, 100000};
+Options options_of(const Selection& selection) {
+  Options options = selection.quick ? Options{9, 4000} : Options{31, 100000};
   if (selection.sample != 0) options.judged_triangles = selection.sample;
   return options;
 }
 
-}  // namespace
-
-void run_bounds(const ExperimentContext& context) {
+void run(const ExperimentContext& context) {
   const Selection& selection = context.selection();
-  const BoundsOptions options = options_of(selection);
-  Table table = bounds_table();
+  const Options options = options_of(selection);
+  TableOf<Row> table;
   const std::vector<ObjectSceneName> names = object_scenes(selection);
   Progress progress("bounds", names.size());
   for (const ObjectSceneName& name : names) {
-    context.cell(fmt::format("{} by {}", name.scene, name.most), {&table}, [&](CellRecord& record) {
-      const ObjectScene scene = load_object_scene(selection, name);
-      for (const Contestant<float>* clipper : clippers_of(selection)) {
-        for (const BoundResult& result : measure_bounds(scene, *clipper, options)) {
-          add_bound(scene, *clipper, result, table, record);
-        }
-      }
-    });
+    context.piece(
+        fmt::format("{} by {}", name.scene, name.most), {&table}, [&](PieceRecord& record) {
+          const ObjectScene scene = load_object_scene(selection, name);
+          for (const Contestant* clipper : clippers_of(selection)) {
+            for (const Result& result : measure(scene, *clipper, options)) {
+              table.add(row_of(scene, *clipper, result));
+              const std::string series = fmt::format("{}, {}, {}, {}", scene.scene.name,
+                                                     scene.object, result.bound, clipper->clipper);
+              record.add(series + ", without", result.without);
+              record.add(series + ", with", result.with);
+            }
+          }
+        });
     progress.advance();
   }
   table.add_note(
@@ -54,9 +52,15 @@ void run_bounds(const ExperimentContext& context) {
                   selection.seed, options.judged_triangles));
   table.add_note(machine_description());
   context.emit(table);
-  if (const auto plot = settled_plot(table)) context.emit(*plot);
-  if (const auto plot = speedup_plot(table)) context.emit(*plot);
-  context.finding(bounds_finding(table));
+  const std::vector<Row> rows = table.rows();
+  if (!rows.empty()) context.emit(settled_plot(rows), speedup_plot(rows));
+  context.finding(finding(rows));
 }
 
-}  // namespace clipscope::experiments
+}  // namespace
+
+extern constinit const Experiment kExperiment{
+    "bounds",
+    "How much do bounding volumes settle before any triangle is cut, and is nothing lost?", run};
+
+}  // namespace clipscope::experiments::bounds

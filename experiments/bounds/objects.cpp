@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "experiments/scenes/families.hpp"
+#include "experiments/scenes/builtin.hpp"
 #include "experiments/scenes/random.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::bounds {
 namespace {
 
 constexpr const char* kField = "teapot field";
@@ -44,6 +44,41 @@ std::vector<View> field_walk(double half) {
           make_view("from above", {0, 60, 0}, {2, 0, 1}, 1, 100),
           make_view("short far plane", {0.5 * half, 4, half}, {-half, 0, -half}, 0.1, 30),
           make_view("away from it", {half, 2, half}, {2 * half, 2, 1.5 * half}, 0.1, 200)};
+}
+
+// From the error bounds of double to 32 u of float; see objects.hpp.
+constexpr double kFloatWeights = 0x1p30;
+
+using Points = std::span<const Vec3<double>>;
+
+AxisBox<double> axis_box(Points points) { return clipscope::bounding_box(points); }
+Sphere<double> sphere(Points points) { return bounding_sphere(points); }
+OrientedBox<double> oriented_box(Points points) { return bounding_oriented_box(points); }
+
+// A volume around each object.
+template <auto kAround>
+Culler volumes(const Mesh& mesh, const Objects& objects) {
+  std::vector<decltype(kAround(Points()))> volumes;
+  for (const TriangleRange& range : objects.ranges) {
+    volumes.push_back(kAround(positions_of(mesh, objects, range)));
+  }
+  return [=](const CullingPlanes<double>& planes, std::span<Visibility> answers) {
+    for (std::size_t i = 0; i < volumes.size(); ++i) answers[i] = visibility(planes, volumes[i]);
+  };
+}
+
+// Ranges are reported in order, and so lie the objects.
+Culler hierarchy(const Mesh&, const Objects& objects) {
+  if (objects.hierarchy.nodes().empty()) return {};
+  return [&objects](const CullingPlanes<double>& planes, std::span<Visibility> answers) {
+    std::size_t object = 0;
+    objects.hierarchy.query(planes, [&](TriangleRange range, Visibility answer) {
+      const std::uint32_t end = range.first + range.count;
+      while (object < answers.size() && objects.ranges[object].first < end) {
+        answers[object++] = answer;
+      }
+    });
+  };
 }
 
 }  // namespace
@@ -93,8 +128,6 @@ ObjectScene teapot_field(std::uint64_t seed, bool quick) {
   r.scene.name = kField;
   r.scene.description = fmt::format("{} teapots, turned and scaled", side * side);
   r.object = "teapot";
-  r.triangles_each = static_cast<std::uint32_t>(pot.triangles.size());
-  r.is_clustered = false;
   const double half = 0.5 * kSpacing * side;
   for (int j = 0; j < side; ++j) {
     for (int i = 0; i < side; ++i) {
@@ -102,6 +135,7 @@ ObjectScene teapot_field(std::uint64_t seed, bool quick) {
     }
   }
   r.scene.views = field_walk(half);
+  r.objects = instances(r.scene.mesh, static_cast<std::uint32_t>(pot.triangles.size()));
   return r;
 }
 
@@ -122,10 +156,42 @@ ObjectScene load_object_scene(const Selection& selection, const ObjectSceneName&
   if (is_field) r = teapot_field(selection.seed, selection.quick);
   if (name.most == 0) return r;
   if (!is_field) r.scene = load_selected_scene(selection, name.scene);
-  r.is_clustered = true;
-  r.triangles_each = name.most;
+  r.objects = clusters(r.scene.mesh, name.most);
   r.object = fmt::format("cluster of {}", name.most);
   return r;
 }
 
-}  // namespace clipscope::experiments
+CullingPlanes<double> world_planes(const View& view) {
+  const glm::dmat3 turn(view.view_from_world);
+  const glm::dmat3 magnitudes(clipscope::bounds::absolute(turn[0]),
+                              clipscope::bounds::absolute(turn[1]),
+                              clipscope::bounds::absolute(turn[2]));
+  const Vec3<double> shift(view.view_from_world[3]);
+  const CullingPlanes<float> in_view = culling_planes(Projection<float>(view.frustum));
+  CullingPlanes<double> r;
+  for (int i = 0; i < in_view.count; ++i) {
+    const CullingPlane<float>& plane = in_view.planes[static_cast<std::size_t>(i)];
+    const Vec3<double> normal(plane.normal), weight(plane.weight);
+    CullingPlane<double> world;
+    world.normal = normal * turn;
+    world.offset = clipscope::bounds::dot(normal, shift) + double{plane.offset};
+    world.weight = kFloatWeights * (weight * magnitudes);
+    world.offset_weight =
+        kFloatWeights *
+        (clipscope::bounds::dot(weight, clipscope::bounds::absolute(shift)) + plane.offset_weight);
+    clipscope::bounds::push_back(r, world);
+  }
+  return r;
+}
+
+std::span<const BoundKind> bound_kinds() {
+  static constexpr std::array<BoundKind, 4> kKinds = {{
+      {"axis box", volumes<axis_box>},
+      {"sphere", volumes<sphere>},
+      {"oriented box", volumes<oriented_box>},
+      {"box hierarchy", hierarchy},
+  }};
+  return kKinds;
+}
+
+}  // namespace clipscope::experiments::bounds

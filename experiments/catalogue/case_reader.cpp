@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/catalogue/case_reader.hpp"
+//
+// Reads the text format of hard cases (tests/corpus/README.md) and checks each against the exact
+// reference.
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <filesystem>
-#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include "experiments/hex_float.hpp"
+#include "experiments/catalogue/catalogue.hpp"
 #include "experiments/scenes/scene.hpp"
 #include "experiments/scenes/text_file.hpp"
+#include "experiments/table/hex_float.hpp"
 #include "reference/convex.hpp"
 
 namespace clipscope::experiments {
@@ -27,20 +28,17 @@ using reference::Verdict;
 using Words = std::vector<std::string_view>;
 
 constexpr std::size_t kMostPolygonVertices = 32;
+constexpr std::array<std::string_view, 3> kDepthNames = {"gl", "zero_to_one", "reversed"};
 
 // A decimal or hex float. Decimals are rounded to double.
 std::optional<double> parse_number(std::string_view word) {
   const bool negative = word.starts_with('-');
   const std::string_view digits = negative ? word.substr(1) : word;
-  if (!digits.starts_with("0x")) {
-    return to_number(word);
-  }
+  if (!digits.starts_with("0x")) return to_number(word);
   double value = 0;
   const char* const end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data() + 2, end, value, std::chars_format::hex);
-  if (stop != end || error != std::errc{} || digits.size() == 2) {
-    return std::nullopt;
-  }
+  if (stop != end || error != std::errc{} || digits.size() == 2) return std::nullopt;
   return negative ? -value : value;
 }
 
@@ -48,26 +46,9 @@ std::optional<Rational> parse_ratio(std::string_view word) {
   const std::size_t slash = word.find('/');
   const auto numerator = to_integer(word.substr(0, slash));
   const auto denominator = slash == std::string_view::npos ? 1 : to_integer(word.substr(slash + 1));
-  if (!numerator || !denominator || *denominator <= 0) {
-    return std::nullopt;
-  }
+  if (!numerator || !denominator || *denominator <= 0) return std::nullopt;
   const Rational n(static_cast<long>(*numerator)), d(static_cast<long>(*denominator));
   return Rational(n / d);
-}
-
-std::optional<DepthRange> parse_depth(std::string_view word) {
-  if (word == "gl") return DepthRange::minus_one_to_one;
-  if (word == "zero_to_one") return DepthRange::zero_to_one;
-  if (word == "reversed") return DepthRange::reversed;
-  return std::nullopt;
-}
-
-std::optional<Primitive> parse_primitive(std::string_view word) {
-  if (word == "point") return Primitive::point;
-  if (word == "segment") return Primitive::segment;
-  if (word == "triangle") return Primitive::triangle;
-  if (word == "polygon") return Primitive::polygon;
-  return std::nullopt;
 }
 
 class CaseReader {
@@ -77,37 +58,39 @@ class CaseReader {
 
   std::vector<HardCase> read() {
     while (text_.next_words()) {
-      if (!text_.word(0).starts_with('#')) {
-        read_line();
-      }
+      if (!text_.word(0).starts_with('#')) read_line();
     }
     finish();
     return std::move(cases_);
   }
 
  private:
-  [[noreturn]] void fail(const std::string& message) const { text_.fail(message); }
+  template <class... Args>
+  void require(bool holds, fmt::format_string<Args...> form, Args&&... args) const {
+    if (!holds) text_.fail(form, std::forward<Args>(args)...);
+  }
+
+  // Complains about the case as a whole.
+  template <class... Args>
+  void require_of_case(bool holds, fmt::format_string<Args...> form, Args&&... args) const {
+    if (holds) return;
+    text_.fail_at(case_.line, fmt::format("case '{}': {}", case_.name,
+                                          fmt::format(form, std::forward<Args>(args)...)));
+  }
 
   void read_line() {
     const std::string_view key = text_.word(0);
-    if (key == "case") {
-      finish();
-      start();
-      return;
-    }
-    if (!current_) {
-      fail(fmt::format("found '{}' before any case; expected 'case NAME'", key));
-    }
+    if (key == "case") return start();
+    require(is_open_, "found '{}' before any case; expected 'case NAME'", key);
     const bool may_repeat = key == "vertex" || key == "hand";
-    if (!may_repeat && !seen_.insert(std::string(key)).second) {
-      fail(fmt::format("found a second '{}' in case '{}'; expected one", key, current_->name));
-    }
+    require(seen_.insert(std::string(key)).second || may_repeat,
+            "found a second '{}' in case '{}'; expected one", key, case_.name);
     read_property(key);
   }
 
   void read_property(std::string_view key) {
-    if (key == "source") return read_text(current_->source);
-    if (key == "why") return read_text(current_->why);
+    if (key == "source") return read_text(case_.source);
+    if (key == "why") return read_text(case_.why);
     if (key == "primitive") return read_primitive();
     if (key == "space") return read_space();
     if (key == "depth_clamp") return read_depth_clamp();
@@ -115,165 +98,135 @@ class CaseReader {
     if (key == "vertex") return read_vertex();
     if (key == "expect") return read_expected();
     if (key == "hand") return read_by_hand();
-    fail(
-        fmt::format("found '{}'; expected case, source, why, primitive, space, depth_clamp, "
-                    "clip_distances, vertex, expect or hand",
-                    key));
+    text_.fail(
+        "found '{}'; expected case, source, why, primitive, space, depth_clamp, clip_distances, vertex, expect or hand",
+        key);
   }
 
   void start() {
+    finish();
     require_words(2, "case NAME");
-    current_.emplace();
-    current_->name = theme_ + "/" + std::string(text_.word(1));
-    current_->file = file_;
-    current_->line = text_.line();
+    is_open_ = true;
+    case_ = HardCase();
+    case_.name = theme_ + "/" + std::string(text_.word(1));
+    case_.file = file_;
+    case_.line = text_.line();
     seen_.clear();
     given_attributes_.reset();
   }
 
   void require_words(std::size_t count, const char* form) const {
-    if (text_.words().size() != count) {
-      fail(fmt::format("found {} words; expected '{}'", text_.words().size(), form));
-    }
+    require(text_.words().size() == count, "found {} words; expected '{}'", text_.words().size(),
+            form);
   }
 
   void read_text(std::string& to) const {
-    for (std::size_t i = 1; i < text_.words().size(); ++i) {
-      to += (i > 1 ? " " : "") + std::string(text_.word(i));
+    to = fmt::format("{}", fmt::join(text_.words().begin() + 1, text_.words().end(), " "));
+    require(!to.empty(), "found nothing after '{}'; expected a text", text_.word(0));
+  }
+
+  // The enumerator of that name.
+  template <class E, std::size_t N>
+  E one_of(const std::array<std::string_view, N>& names, std::string_view word,
+           const char* what) const {
+    const auto found = std::ranges::find(names, word);
+    if (found == names.end()) {
+      text_.fail("found {} '{}'; expected {} or {}", what, word,
+                 fmt::join(names.begin(), names.end() - 1, ", "), names.back());
     }
-    if (to.empty()) {
-      fail(fmt::format("found nothing after '{}'; expected a text", text_.word(0)));
-    }
+    return static_cast<E>(found - names.begin());
   }
 
   void read_primitive() {
     require_words(2, "primitive point|segment|triangle|polygon");
-    const auto primitive = parse_primitive(text_.word(1));
-    if (!primitive) {
-      fail(fmt::format("found primitive '{}'; expected point, segment, triangle or polygon",
-                       text_.word(1)));
-    }
-    current_->primitive = *primitive;
+    case_.primitive = one_of<Primitive>(names_of(Primitive{}), text_.word(1), "primitive");
   }
 
   // A number that a float holds exactly.
   double number(std::string_view word) const {
     const std::optional<double> value = parse_number(word);
-    if (!value) {
-      fail(fmt::format("found '{}'; expected a number such as -0.25 or a hex float such as -0x1p-2",
-                       word));
-    }
+    require(value.has_value(),
+            "found '{}'; expected a number such as -0.25 or a hex float such as -0x1p-2", word);
     const std::string defect = defect_of(*value);
-    if (!defect.empty()) {
-      fail(fmt::format("found '{}', {}; expected a finite number", word, defect));
-    }
+    require(defect.empty(), "found '{}', {}; expected a finite number", word, defect);
     const auto as_float = static_cast<float>(*value);
-    if (double{as_float} != *value) {
-      fail(
-          fmt::format("found '{}', which no float holds; expected one that does: the nearest is {}",
-                      word, hex_float(as_float)));
-    }
+    require(double{as_float} == *value,
+            "found '{}', which no float holds; expected one that does: the nearest is {}", word,
+            hex_float(as_float));
     return *value;
-  }
-
-  DepthRange depth(std::string_view word) const {
-    const auto range = parse_depth(word);
-    if (!range) {
-      fail(fmt::format("found depth range '{}'; expected gl, zero_to_one or reversed", word));
-    }
-    return *range;
   }
 
   void read_space() {
     const Words& words = text_.words();
-    if (words.size() == 3 && words[1] == "clip") {
-      current_->space = Space::clip;
-      set_depth(depth(words[2]));
-    } else if (words.size() == 10 && words[1] == "view" && words[2] == "perspective") {
-      read_frustum(ProjectionKind::perspective);
-    } else if (words.size() == 12 && words[1] == "view" && words[2] == "parallel") {
-      read_frustum(ProjectionKind::parallel);
+    const auto is = [&](std::size_t size, std::string_view space, std::string_view kind) {
+      return words.size() == size && words[1] == space && (kind.empty() || words[2] == kind);
+    };
+    if (is(3, "clip", "")) {
+      case_.space = Space::clip;
+    } else if (is(10, "view", "perspective") || is(12, "view", "parallel")) {
+      case_.space = Space::view;
+      read_frustum(case_.frustum);
     } else {
-      fail(
-          "expected 'space clip DEPTH', 'space view perspective LEFT RIGHT BOTTOM TOP NEAR FAR "
-          "DEPTH' "
-          "or 'space view parallel LEFT RIGHT BOTTOM TOP NEAR FAR SHEAR_X SHEAR_Y DEPTH'");
+      text_.fail(
+          "expected 'space clip DEPTH', 'space view perspective LEFT RIGHT BOTTOM TOP NEAR FAR DEPTH' or 'space view parallel LEFT RIGHT BOTTOM TOP NEAR FAR SHEAR_X SHEAR_Y DEPTH'");
     }
+    case_.volume.depth = one_of<DepthRange>(kDepthNames, words.back(), "depth range");
+    case_.frustum.depth = case_.volume.depth;
+    require(
+        case_.space == Space::clip || is_valid(case_.frustum),
+        "the frustum encloses no volume; expected left < right, bottom < top, near < far, and in perspective 0 < near, else a finite far");
   }
 
-  void set_depth(DepthRange depth) { current_->frustum.depth = current_->volume.depth = depth; }
-
-  void read_frustum(ProjectionKind kind) {
+  void read_frustum(Frustum<double>& f) const {
     const Words& words = text_.words();
-    current_->space = Space::view;
-    Frustum<double>& f = current_->frustum;
-    f.kind = kind;
-    f.left = number(words[3]);
-    f.right = number(words[4]);
-    f.bottom = number(words[5]);
-    f.top = number(words[6]);
-    f.near = number(words[7]);
+    const bool parallel = words[2] == "parallel";
+    f.kind = parallel ? ProjectionKind::parallel : ProjectionKind::perspective;
+    auto word = words.begin() + 3;
+    for (double* bound : {&f.left, &f.right, &f.bottom, &f.top, &f.near}) *bound = number(*word++);
     f.infinite_far = words[8] == "inf";
     f.far = f.infinite_far ? 0 : number(words[8]);
-    if (kind == ProjectionKind::parallel) {
-      f.shear_x = number(words[9]);
-      f.shear_y = number(words[10]);
-    }
-    set_depth(depth(words.back()));
-    if (!is_valid(f)) {
-      fail(
-          "the frustum encloses no volume; expected left < right, bottom < top, near < far, and in "
-          "perspective 0 < near, else a finite far");
-    }
+    f.shear_x = parallel ? number(words[9]) : 0;
+    f.shear_y = parallel ? number(words[10]) : 0;
   }
 
   void read_depth_clamp() {
     require_words(1, "depth_clamp");
-    current_->volume.depth_clamp = true;
+    case_.volume.depth_clamp = true;
   }
 
   void read_clip_distances() {
     require_words(2, "clip_distances N");
     const long long n = text_.require_integer(text_.word(1), "the number of clip distances");
-    if (n < 1 || n > kMaxClipDistances) {
-      fail(fmt::format("found {} clip distances; expected 1 to {}", n, kMaxClipDistances));
-    }
-    current_->volume.clip_distances = static_cast<int>(n);
+    require(1 <= n && n <= kMaxClipDistances, "found {} clip distances; expected 1 to {}", n,
+            kMaxClipDistances);
+    case_.volume.clip_distances = static_cast<int>(n);
   }
 
   // vertex X Y Z [W] [| ATTRIBUTE ...]
   void read_vertex() {
-    if (!seen_.contains("space")) {
-      fail("found a vertex before the line 'space ...'; expected it after");
-    }
+    require(seen_.contains("space"),
+            "found a vertex before the line 'space ...'; expected it after");
     const Words& words = text_.words();
-    const std::size_t dimension = current_->space == Space::view ? 3 : 4;
+    const std::size_t dimension = case_.space == Space::view ? 3 : 4;
     const auto bar = std::ranges::find(words, "|");
     const auto coordinates = static_cast<std::size_t>(bar - words.begin()) - 1;
-    if (coordinates != dimension) {
-      fail(fmt::format("found {} coordinates; expected {} in {} space", coordinates, dimension,
-                       dimension == 3 ? "view" : "clip"));
-    }
-    InputVertex vertex;
-    for (std::size_t i = 0; i < dimension; ++i) {
-      vertex.position[i] = number(words[1 + i]);
-    }
+    require(coordinates == dimension, "found {} coordinates; expected {} in {} space", coordinates,
+            dimension, dimension == 3 ? "view" : "clip");
+    InputVertex& vertex = case_.vertices.emplace_back();
+    for (std::size_t i = 0; i < dimension; ++i) vertex.position[i] = number(words[1 + i]);
     const Words attributes(bar == words.end() ? bar : bar + 1, words.end());
     require_attributes(attributes.size());
     for (std::size_t k = 0; k < attributes.size(); ++k) {
       vertex.attributes[k] = number(attributes[k]);
     }
-    current_->vertices.push_back(vertex);
   }
 
   void require_attributes(std::size_t count) {
-    if (count > kMaxAttributes) {
-      fail(fmt::format("found {} attributes; expected at most {}", count, kMaxAttributes));
-    }
-    if (given_attributes_ && *given_attributes_ != count) {
-      fail(fmt::format("found {} attributes; expected {} as for the first vertex", count,
-                       *given_attributes_));
-    }
+    require(count <= kMaxAttributes, "found {} attributes; expected at most {}", count,
+            kMaxAttributes);
+    const std::size_t first = given_attributes_.value_or(count);
+    require(count == first, "found {} attributes; expected {} as for the first vertex", count,
+            first);
     given_attributes_ = count;
   }
 
@@ -281,121 +234,97 @@ class CaseReader {
   void read_expected() {
     const Words& words = text_.words();
     const std::string_view verdict = words.size() > 1 ? words[1] : std::string_view();
-    ExactOutcome& expected = current_->expected;
     const bool has_count = words.size() == 3;
     if (verdict == "rejected" && !has_count) {
-      expected.verdict = Verdict::rejected;
+      case_.expected.verdict = Verdict::rejected;
     } else if (verdict == "accepted") {
-      expected.verdict = Verdict::accepted;
+      case_.expected.verdict = Verdict::accepted;
     } else if (verdict == "clipped" && has_count) {
-      expected.verdict = Verdict::clipped;
+      case_.expected.verdict = Verdict::clipped;
     } else {
-      fail("expected 'expect rejected', 'expect accepted [N]' or 'expect clipped N'");
+      text_.fail("expected 'expect rejected', 'expect accepted [N]' or 'expect clipped N'");
     }
-    expected.vertices =
-        has_count ? static_cast<std::size_t>(text_.require_integer(words[2], "the vertex count"))
-                  : 0;
+    const auto count = has_count ? text_.require_integer(words[2], "the vertex count") : 0;
+    case_.expected.vertices = static_cast<std::size_t>(count);
     expected_line_ = text_.line();
   }
 
   // hand X Y Z INV_W
   void read_by_hand() {
     require_words(5, "hand X Y Z INV_W");
-    auto& vertex = current_->by_hand.emplace_back();
+    auto& vertex = case_.by_hand.emplace_back();
     for (std::size_t i = 0; i < 4; ++i) {
       const auto ratio = parse_ratio(text_.word(i + 1));
-      if (!ratio) {
-        fail(fmt::format("found '{}'; expected a whole number or a ratio such as -2/3",
-                         text_.word(i + 1)));
-      }
+      require(ratio.has_value(), "found '{}'; expected a whole number or a ratio such as -2/3",
+              text_.word(i + 1));
       vertex[i] = *ratio;
     }
   }
 
   void finish() {
-    if (!current_) {
-      return;
-    }
+    if (!is_open_) return;
     for (const char* key : {"source", "why", "primitive", "space"}) {
-      if (!seen_.contains(key)) {
-        fail_case(fmt::format("found no line '{}'; expected one", key));
-      }
+      require_of_case(seen_.contains(key), "found no line '{}'; expected one", key);
     }
     check_vertices();
     fill_attributes();
     check_expected();
-    cases_.push_back(std::move(*current_));
-    current_.reset();
-  }
-
-  [[noreturn]] void fail_case(const std::string& message) const {
-    text_.fail_at(current_->line, fmt::format("case '{}': {}", current_->name, message));
+    cases_.push_back(std::move(case_));
+    is_open_ = false;
   }
 
   void check_vertices() const {
-    const std::size_t found = current_->vertices.size();
-    if (current_->primitive == Primitive::polygon) {
-      if (found < 3 || found > kMostPolygonVertices) {
-        fail_case(fmt::format("found {} vertices; expected 3 to {} of a polygon", found,
-                              kMostPolygonVertices));
-      }
-    } else if (found != vertices_of(current_->primitive)) {
-      fail_case(fmt::format("found {} vertices; expected {} of a {}", found,
-                            vertices_of(current_->primitive), to_string(current_->primitive)));
-    }
-    const auto distances = static_cast<std::size_t>(current_->volume.clip_distances);
-    if (*given_attributes_ < distances) {
-      fail_case(fmt::format("found {} attributes; expected at least the {} clip distances",
-                            *given_attributes_, distances));
-    }
+    const std::size_t found = case_.vertices.size(), needed = vertices_of(case_.primitive);
+    require_of_case(needed != 0 || (3 <= found && found <= kMostPolygonVertices),
+                    "found {} vertices; expected 3 to {} of a polygon", found,
+                    kMostPolygonVertices);
+    require_of_case(needed == 0 || found == needed, "found {} vertices; expected {} of a {}", found,
+                    needed, to_string(case_.primitive));
+    const auto distances = static_cast<std::size_t>(case_.volume.clip_distances);
+    require_of_case(*given_attributes_ >= distances,
+                    "found {} attributes; expected at least the {} clip distances",
+                    *given_attributes_, distances);
   }
 
   void fill_attributes() {
+    const bool polygon = case_.primitive == Primitive::polygon;
     const auto given = static_cast<int>(*given_attributes_);
-    current_->attribute_count = std::max(given, kSceneAttributes);
-    for (std::size_t i = 0; i < current_->vertices.size(); ++i) {
-      InputVertex& v = current_->vertices[i];
-      std::array<double, 4> filling = v.position;
-      if (current_->primitive != Primitive::polygon) {
-        filling = {0, 0, 0, 1};
-        filling[i] = 1;
-      }
-      for (int k = given; k < kSceneAttributes; ++k) {
-        v.attributes[k] = filling[k - given];
-      }
+    case_.attribute_count = std::max(given, kSceneAttributes);
+    for (std::size_t i = 0; i < case_.vertices.size(); ++i) {
+      InputVertex& v = case_.vertices[i];
+      std::array<double, 4> filling = polygon ? v.position : std::array<double, 4>{0, 0, 0, 1};
+      if (!polygon) filling[i] = 1;
+      for (int k = given; k < kSceneAttributes; ++k) v.attributes[k] = filling[k - given];
     }
-    if (current_->primitive == Primitive::polygon &&
-        !reference::is_planar_convex(current_->vertices, current_->attribute_count)) {
-      fail_case(
-          "the vertices are no planar convex polygon with affine attributes; expected one, or "
-          "triangles");
-    }
+    require_of_case(
+        !polygon || reference::is_planar_convex(case_.vertices, case_.attribute_count),
+        "the vertices are no planar convex polygon with affine attributes; expected one, or triangles");
   }
 
   void check_expected() {
-    const ExactOutcome exact = exact_outcome(*current_);
-    ExactOutcome& expected = current_->expected;
+    const ExactOutcome exact = exact_outcome(case_);
+    ExactOutcome& expected = case_.expected;
     if (!seen_.contains("expect")) {
       expected = exact;
       return;
     }
     if (expected.verdict == Verdict::accepted && expected.vertices == 0) {
-      expected.vertices = current_->vertices.size();
+      expected.vertices = case_.vertices.size();
     }
     if (expected != exact) {
-      text_.fail_at(expected_line_,
-                    fmt::format("case '{}': found '{}'; the exact outcome is '{}'", current_->name,
-                                to_string(expected), to_string(exact)));
+      text_.fail_at(expected_line_, fmt::format("case '{}': found '{}'; the exact outcome is '{}'",
+                                                case_.name, to_string(expected), to_string(exact)));
     }
   }
 
   const std::string file_, theme_;
   TextFile text_;
   std::vector<HardCase> cases_;
-  std::optional<HardCase> current_;
-  std::set<std::string> seen_;  // keys of the current case
-  std::optional<std::size_t> given_attributes_;
+  bool is_open_ = false;
+  HardCase case_;               // the current one, while it is open
+  std::set<std::string> seen_;  // its keys
   std::size_t expected_line_ = 0;
+  std::optional<std::size_t> given_attributes_;
 };
 
 }  // namespace

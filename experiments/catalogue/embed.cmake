@@ -1,26 +1,9 @@
-# Writes OUTPUT, a C++ source that holds the text files of the list FILES, named from ROOT.
+# Writes OUTPUT, the text files of the list FILES as initializers of pairs: their names from ROOT, their texts.
 # cmake -D OUTPUT=... -D ROOT=... -D FILES=... -P embed.cmake
-set(source [=[
-// Written by embed.cmake.
-#include "experiments/catalogue/embedded.hpp"
-
-namespace clipscope::experiments {
-namespace {
-
-constexpr EmbeddedFile kFiles[] = {
-]=])
+set(source "// Written by embed.cmake.\n")
 foreach(file IN LISTS FILES)
   file(READ "${file}" text)
   file(RELATIVE_PATH name "${ROOT}" "${file}")
-  string(APPEND source "    {\"${name}\", R\"corpus(${text})corpus\"},\n")
+  string(APPEND source "{\"${name}\", R\"corpus(${text})corpus\"},\n")
 endforeach()
-string(APPEND source [=[
-};
-
-}  // namespace
-
-std::span<const EmbeddedFile> embedded_case_files() { return kFiles; }
-
-}  // namespace clipscope::experiments
-]=])
 file(WRITE "${OUTPUT}" "${source}")

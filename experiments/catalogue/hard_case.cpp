@@ -12,10 +12,8 @@ using reference::Truth;
 using reference::Verdict;
 
 Truth truth_of(const HardCase& hard_case) {
-  if (hard_case.space == Space::view) {
-    return Truth::of_frustum(hard_case.frustum, hard_case.volume);
-  }
-  return Truth::of_clip(hard_case.volume);
+  return hard_case.space == Space::view ? Truth::of_frustum(hard_case.frustum, hard_case.volume)
+                                        : Truth::of_clip(hard_case.volume);
 }
 
 reference::ExactPolygon exact_polygon(const HardCase& hard_case) {
@@ -36,22 +34,9 @@ reference::InputTriangle triangle_of(const HardCase& hard_case) {
 }
 
 std::string to_string(const ExactOutcome& outcome) {
-  switch (outcome.verdict) {
-    case Verdict::rejected: return "rejected";
-    case Verdict::accepted: return fmt::format("accepted {}", outcome.vertices);
-    case Verdict::clipped: return fmt::format("clipped {}", outcome.vertices);
-  }
-  return {};
-}
-
-std::string to_string(Primitive primitive) {
-  switch (primitive) {
-    case Primitive::point: return "point";
-    case Primitive::segment: return "segment";
-    case Primitive::triangle: return "triangle";
-    case Primitive::polygon: return "polygon";
-  }
-  return {};
+  if (outcome.verdict == Verdict::rejected) return "rejected";
+  return fmt::format("{} {}", outcome.verdict == Verdict::accepted ? "accepted" : "clipped",
+                     outcome.vertices);
 }
 
 }  // namespace clipscope::experiments

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// HardCase: one primitive that clippers are known to get wrong, the volume it is clipped against, and
-// what comes out in exact arithmetic.
+// HardCase: one primitive that clippers are known to get wrong, the volume it is clipped against,
+// and what comes out in exact arithmetic.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reference/exact_clip.hpp"
@@ -17,6 +18,9 @@
 namespace clipscope::experiments {
 
 enum class Primitive { point, segment, triangle, polygon };
+constexpr std::array<std::string_view, 4> names_of(Primitive) {
+  return {"point", "segment", "triangle", "polygon"};
+}
 
 // 1, 2 and 3; 0 for polygons, which have any number from 3.
 constexpr std::size_t vertices_of(Primitive primitive) {
@@ -36,17 +40,17 @@ struct HardCase {
   std::string why;     // what makes it hard
   Primitive primitive = Primitive::triangle;
 
-  // Space::view or Space::clip. The frustum is of use in view space only; frustum.depth == volume.depth
-  // in both. All its numbers are floats.
+  // Space::view or Space::clip. The frustum is of use in view space only and its numbers are
+  // floats; frustum.depth is volume.depth in both spaces.
   Space space = Space::clip;
   Frustum<double> frustum;
   ClipVolume volume;
 
   // Coordinates and attributes are floats. In view space position[3] is 1.
-  // Attributes given in the file come first, the clip distances leading. If they are fewer than
-  // kSceneAttributes they are filled up to that number from the list l0, l1, l2, 1, where l is the
-  // barycentric coordinate (1 at the vertex of that index, else 0); of a polygon from x, y, z, w, since
-  // attributes must be affine over it.
+  // Attributes given in the file come first, the clip distances leading. Fewer than
+  // kSceneAttributes are filled up to that number from l0, l1, l2, 1, where l is the barycentric
+  // coordinate (1 at the vertex of that index, else 0); those of a polygon must be affine over it
+  // and are filled up from x, y, z, w.
   std::vector<reference::InputVertex> vertices;
   int attribute_count = 0;
 
@@ -59,7 +63,7 @@ struct HardCase {
   std::size_t line = 0;  // of its first line
 };
 
-// What the case is clipped against, in exact numbers: from the frustum in view space, else of clip space.
+// What the case is clipped against, in exact numbers.
 reference::Truth truth_of(const HardCase& hard_case);
 
 reference::ExactPolygon exact_polygon(const HardCase& hard_case);
@@ -72,6 +76,8 @@ reference::InputTriangle triangle_of(const HardCase& hard_case);
 
 // "clipped 5", "accepted 3", "rejected".
 std::string to_string(const ExactOutcome& outcome);
-std::string to_string(Primitive primitive);
+inline std::string to_string(Primitive primitive) {
+  return std::string(names_of(primitive)[static_cast<std::size_t>(primitive)]);
+}
 
 }  // namespace clipscope::experiments

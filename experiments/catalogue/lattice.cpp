@@ -24,9 +24,7 @@ LatticePoint transformed(LatticePoint p, unsigned symmetry) {
       p[axis] = 0 - p[axis];  // never -0
     }
   }
-  if ((symmetry & kExchange) != 0) {
-    std::swap(p[0], p[1]);
-  }
+  if ((symmetry & kExchange) != 0) std::swap(p[0], p[1]);
   return p;
 }
 
@@ -49,15 +47,12 @@ std::uint64_t fixed_multisets(std::span<const std::uint16_t> permutation) {
 
 }  // namespace
 
-Lattice::Lattice(std::string name, std::span<const float> coordinates, std::span<const float> ws,
-                 DepthRange depth)
-    : name_(std::move(name)), depth_(depth) {
+Lattice::Lattice(std::span<const float> coordinates, std::span<const float> ws, DepthRange depth)
+    : depth_(depth) {
   for (const float x : coordinates) {
     for (const float y : coordinates) {
       for (const float z : coordinates) {
-        for (const float w : ws) {
-          points_.push_back({x, y, z, w});
-        }
+        for (const float w : ws) points_.push_back({x, y, z, w});
       }
     }
   }
@@ -75,13 +70,9 @@ Lattice::Lattice(std::string name, std::span<const float> coordinates, std::span
 }
 
 void Lattice::add_symmetries() {
-  for (Index i = 0; i < points_.size(); ++i) {
-    lowest_image_.push_back(i);
-  }
+  for (Index i = 0; i < points_.size(); ++i) lowest_image_.push_back(i);
   for (unsigned symmetry = 0; symmetry < kSymmetries; ++symmetry) {
-    if ((symmetry & kNegateZ) != 0 && depth_ != DepthRange::minus_one_to_one) {
-      continue;
-    }
+    if ((symmetry & kNegateZ) != 0 && depth_ != DepthRange::minus_one_to_one) continue;
     std::vector<Index>& permutation = symmetries_.emplace_back();
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const LatticePoint image = transformed(points_[i], symmetry);
@@ -100,33 +91,18 @@ std::uint64_t Lattice::triangles() const {
 
 std::uint64_t Lattice::classes() const {
   std::uint64_t sum = 0;
-  for (const std::vector<Index>& symmetry : symmetries_) {
-    sum += fixed_multisets(symmetry);
-  }
+  for (const std::vector<Index>& symmetry : symmetries_) sum += fixed_multisets(symmetry);
   return sum / symmetries_.size();
-}
-
-reference::InputTriangle input_triangle(const LatticeTriangle& triangle) {
-  reference::InputTriangle r;
-  r.attribute_count = 4;
-  for (std::size_t i = 0; i < 3; ++i) {
-    std::ranges::copy(triangle.vertices[i], r.vertices[i].position.begin());
-    r.vertices[i].attributes[i] = 1;
-    r.vertices[i].attributes[3] = 1;
-  }
-  return r;
 }
 
 std::span<const std::string_view> lattice_names() { return kNames; }
 
-Lattice named_lattice(std::string_view name, DepthRange depth) {
-  const auto make = [&](std::span<const float> coordinates, std::span<const float> ws) {
-    return Lattice(std::string(name), coordinates, ws, depth);
-  };
-  if (name == "small") return make(kFive, kThreeWs);
-  if (name == "medium") return make(kFive, kFiveWs);
-  assert(name == "full");
-  return make(kSeven, kFiveWs);
+Lattice named_lattice(std::string_view name) {
+  assert(std::ranges::find(kNames, name) != std::end(kNames));
+  using Numbers = std::span<const float>;
+  return Lattice(name == "full" ? Numbers(kSeven) : Numbers(kFive),
+                 name == "small" ? Numbers(kThreeWs) : Numbers(kFiveWs),
+                 DepthRange::minus_one_to_one);
 }
 
 }  // namespace clipscope::experiments

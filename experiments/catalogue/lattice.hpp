@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Exhaustive lattices: all clip-space triangles whose vertices are in coordinates^3 x ws, one for each
-// class of symmetric ones.
+// Exhaustive lattices: all clip-space triangles whose vertices are in coordinates^3 x ws, one for
+// each class of symmetric ones.
 //
-// A triangle is a multiset of three points: the order of vertices does not matter, repeated vertices
-// are included. Two triangles are in one class if a symmetry of the volume takes one to the other: x
-// negated, y negated, x and y exchanged, and, where the depth range is symmetric, z negated: a group of
-// 8 or 16. The class is visited in its lexicographically first image (the canonical representative, as
-// in orderly generation: McKay, "Isomorph-free exhaustive generation", 1998). A mirror image has the
-// other winding, so that classes are not split by winding; a clipper must be tested separately for
-// keeping it, and for not depending on the order of the vertices (see families.hpp).
+// A triangle is a multiset of three points: the order of vertices does not matter, repeated
+// vertices are included. Two triangles are in one class if a symmetry of the volume takes one to
+// the other: x negated, y negated, x and y exchanged, and, where the depth range is symmetric, z
+// negated: a group of 8 or 16. The class is visited in its lexicographically first image (the
+// canonical representative, as in orderly generation: McKay, "Isomorph-free exhaustive generation",
+// 1998). A mirror image has the other winding, so that classes are not split by winding; a clipper
+// must be tested separately for keeping it, and for not depending on the order of the vertices (see
+// catalogue.hpp).
 //
 // Nothing is stored per triangle: chunks are visited independently, so that threads may share them,
 // and what a chunk visits does not depend on the others.
@@ -20,12 +21,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "reference/truth.hpp"
 #include "spaces/volume.hpp"
 
 namespace clipscope::experiments {
@@ -41,10 +40,8 @@ class Lattice {
  public:
   // Pre-conditions: coordinates hold with each value its negative; no value is there twice; at most
   // 65535 points.
-  Lattice(std::string name, std::span<const float> coordinates, std::span<const float> ws,
-          DepthRange depth);
+  Lattice(std::span<const float> coordinates, std::span<const float> ws, DepthRange depth);
 
-  const std::string& name() const { return name_; }
   DepthRange depth() const { return depth_; }
   std::size_t points() const { return points_.size(); }
   std::uint64_t triangles() const;  // n (n + 1) (n + 2) / 6
@@ -85,7 +82,6 @@ class Lattice {
 
   void add_symmetries();
 
-  std::string name_;
   DepthRange depth_;
   std::vector<LatticePoint> points_;            // in lexicographic order
   std::vector<std::vector<Index>> symmetries_;  // permutations of the points, the identity too
@@ -93,15 +89,12 @@ class Lattice {
   std::vector<std::array<Index, 2>> chunks_;    // the first two points of their triangles
 };
 
-// The triangle with four attributes, barycentric coordinates and 1, as a case of the catalogue has it.
-reference::InputTriangle input_triangle(const LatticeTriangle& triangle);
-
 // Named lattices, by size (points, triangles, classes for the depth range gl):
 //   small   {-2, -1, 0, 1, 2}^3 x {-1, 0, 1}                         375      8859500    581274
 //   medium  {-2, -1, 0, 1, 2}^3 x {-1, 0, 1/2, 1, 2}                 625     40885625   2673030
 //   full    {-2, -1, -1/2, 0, 1/2, 1, 2}^3 x {-1, 0, 1/2, 1, 2}     1715    842171330  53480200
 std::span<const std::string_view> lattice_names();
 // Pre-condition: the name is one of lattice_names().
-Lattice named_lattice(std::string_view name, DepthRange depth = DepthRange::minus_one_to_one);
+Lattice named_lattice(std::string_view name);
 
 }  // namespace clipscope::experiments

@@ -13,15 +13,9 @@ namespace {
 
 using reference::Truth;
 
-// Floats in ascending order as integers; -0 and 0 are both 0.
-std::int32_t rank_of(float value) {
-  const auto bits = std::bit_cast<std::int32_t>(value);
+// From the bits of floats to integers in the same order and back; -0 and 0 are both 0.
+std::int32_t ordered(std::int32_t bits) {
   return bits < 0 ? std::numeric_limits<std::int32_t>::min() - bits : bits;
-}
-
-float float_of(std::int32_t rank) {
-  const std::int32_t bits = rank < 0 ? std::numeric_limits<std::int32_t>::min() - rank : rank;
-  return std::bit_cast<float>(bits);
 }
 
 SignOf exact_plane_sign(const PlaneSetting& setting) {
@@ -38,15 +32,20 @@ SignOf exact_plane_sign(const PlaneSetting& setting) {
 template <class T>
 void add_plane_predicates(UlpGrid& grid, const PlaneSetting& setting, const std::string& scalar) {
   const auto add = [&](Route route, const char* title) {
-    grid.predicates.push_back({scalar + title, [setting, route](const GridPoint& p) {
-                                 return plane_sign<T>(setting, route, p);
-                               }});
+    grid.predicates.push_back(
+        {scalar + title, [=](const GridPoint& p) { return plane_sign<T>(setting, route, p); }});
   };
   add(Route::own_form, ", own form");
-  if (setting.space == Space::view) {
-    add(Route::matrix, ", after the matrix");
-  }
+  if (setting.space == Space::view) add(Route::matrix, ", after the matrix");
   add(Route::divide, ", after the divide");
+}
+
+template <class T>
+void add_edge_predicates(UlpGrid& grid, const GridPoint& end, const std::string& scalar) {
+  grid.predicates.push_back(
+      {scalar + ", at the cut", [=](const GridPoint& p) { return edge_sign_by_cut<T>(end, p); }});
+  grid.predicates.push_back(
+      {scalar + ", minor", [=](const GridPoint& p) { return edge_sign_by_minor<T>(end, p); }});
 }
 
 PlaneGrid plane_grid(const PlaneSetting& setting, UlpGrid grid) {
@@ -56,48 +55,18 @@ PlaneGrid plane_grid(const PlaneSetting& setting, UlpGrid grid) {
   return {setting, std::move(grid)};
 }
 
-Frustum<float> off_centre() {
-  Frustum<float> f;
-  f.left = -0.3f;
-  f.right = 0.7f;
-  f.bottom = -1.1f;
-  f.top = 0.1f;
-  f.near = 0.1f;
-  f.far = 100;
-  return f;
-}
-
-Frustum<float> deep() {
-  Frustum<float> f;
-  f.near = 0.1f;
-  f.far = 1e6f;
-  f.depth = DepthRange::zero_to_one;
-  return f;
-}
-
-Frustum<float> oblique() {
-  Frustum<float> f;
-  f.kind = ProjectionKind::parallel;
-  f.left = -1.7f;
-  f.right = 2.3f;
-  f.shear_x = 0.35f;
-  return f;
-}
-
 }  // namespace
 
 float moved_by_ulps(float value, int n) {
-  const float moved = float_of(rank_of(value) + n);
+  const auto moved = std::bit_cast<float>(ordered(ordered(std::bit_cast<std::int32_t>(value)) + n));
   assert(std::isfinite(value) && std::isfinite(moved));
   return moved;
 }
 
 GridPoint grid_point(const UlpGrid& grid, int i, int j) {
   GridPoint p = grid.centre;
-  p[static_cast<std::size_t>(grid.axis_i)] =
-      moved_by_ulps(p[static_cast<std::size_t>(grid.axis_i)], i - grid.size / 2);
-  p[static_cast<std::size_t>(grid.axis_j)] =
-      moved_by_ulps(p[static_cast<std::size_t>(grid.axis_j)], j - grid.size / 2);
+  p[grid.axis_i] = moved_by_ulps(p[grid.axis_i], i - grid.size / 2);
+  p[grid.axis_j] = moved_by_ulps(p[grid.axis_j], j - grid.size / 2);
   return p;
 }
 
@@ -133,57 +102,44 @@ SignCounts compare(const SignMap& computed, const SignMap& exact) {
 }
 
 std::vector<PlaneGrid> plane_grids() {
-  std::vector<PlaneGrid> r;
-  r.push_back(plane_grid({Space::view, off_centre(), Plane::left},
-                         {.name = "left_of_frustum",
-                          .title = "Left plane of an off-centre frustum, (x, z) around (-6, -2)",
-                          .centre = {-6, 0, -2, 1},
-                          .axis_i = 0,
-                          .axis_j = 2}));
-  r.push_back(plane_grid({Space::view, deep(), Plane::far},
-                         {.name = "far_of_deep_frustum",
-                          .title = "Far plane at 1e6, near 0.1: (x, z) around (0.5, -1e6)",
-                          .centre = {0.5f, 0, -1e6f, 1},
-                          .axis_i = 0,
-                          .axis_j = 2}));
-  r.push_back(plane_grid({Space::view, oblique(), Plane::left},
-                         {.name = "left_of_oblique",
-                          .title = "Left plane of an oblique projection: (x, z) around (0.05, -5)",
-                          .centre = {0.05f, 0, -5, 1},
-                          .axis_i = 0,
-                          .axis_j = 2}));
-  r.push_back(plane_grid({Space::clip, Frustum<float>{}, Plane::right},
-                         {.name = "right_in_clip_space",
-                          .title = "Plane x = w in clip space: (x, w) around (1.1, 1.1)",
-                          .centre = {1.1f, 0, 0, 1.1f},
-                          .axis_i = 0,
-                          .axis_j = 3}));
-  return r;
+  const Frustum<float> off_centre = {
+      .left = -0.3f, .right = 0.7f, .bottom = -1.1f, .top = 0.1f, .near = 0.1f, .far = 100};
+  const Frustum<float> deep = {.near = 0.1f, .far = 1e6f, .depth = DepthRange::zero_to_one};
+  const Frustum<float> oblique = {
+      .kind = ProjectionKind::parallel, .left = -1.7f, .right = 2.3f, .shear_x = 0.35f};
+  return {plane_grid({Space::view, off_centre, Plane::left},
+                     {.name = "left_of_frustum",
+                      .title = "Left plane of an off-centre frustum, (x, z) around (-6, -2)",
+                      .centre = {-6, 0, -2, 1},
+                      .axis_j = 2}),
+          plane_grid({Space::view, deep, Plane::far},
+                     {.name = "far_of_deep_frustum",
+                      .title = "Far plane at 1e6, near 0.1: (x, z) around (0.5, -1e6)",
+                      .centre = {0.5f, 0, -1e6f, 1},
+                      .axis_j = 2}),
+          plane_grid({Space::view, oblique, Plane::left},
+                     {.name = "left_of_oblique",
+                      .title = "Left plane of an oblique projection: (x, z) around (0.05, -5)",
+                      .centre = {0.05f, 0, -5, 1},
+                      .axis_j = 2}),
+          plane_grid({Space::clip, Frustum<float>{}, Plane::right},
+                     {.name = "right_in_clip_space",
+                      .title = "Plane x = w in clip space: (x, w) around (1.1, 1.1)",
+                      .centre = {1.1f, 0, 0, 1.1f},
+                      .axis_j = 3})};
 }
 
 EdgeGrid edge_grid() {
   // They meet x = w at t = 1/3, y = w = 34/3: the rounding of such numbers is some 30 ulps of y.
-  const EdgeSetting setting = {{33, 33.125f, 0, 32}};
+  const GridPoint end = {33, 33.125f, 0, 32};
   UlpGrid grid = {
       .name = "edge_of_volume",
       .title = "A segment beside the edge x = y = w: (x, y) of one end around (0.5, 0.4375)",
       .centre = {0.5f, 0.4375f, 0, 1},
-      .axis_i = 0,
-      .axis_j = 1};
-  const auto add = [&]<class T>(const std::string& scalar, T) {
-    grid.predicates.push_back({scalar + ", at the cut", [setting](const GridPoint& p) {
-                                 return edge_sign_by_cut<T>(setting, p);
-                               }});
-    grid.predicates.push_back({scalar + ", minor", [setting](const GridPoint& p) {
-                                 return edge_sign_by_minor<T>(setting, p);
-                               }});
-  };
-  add("float", 0.0f);
-  add("double", 0.0);
-  grid.exact = [setting](const GridPoint& p) {
-    return edge_sign_by_minor<reference::Rational>(setting, p);
-  };
-  return {setting, std::move(grid)};
+      .exact = [=](const GridPoint& p) { return edge_sign_by_minor<reference::Rational>(end, p); }};
+  add_edge_predicates<float>(grid, end, "float");
+  add_edge_predicates<double>(grid, end, "double");
+  return {end, std::move(grid)};
 }
 
 }  // namespace clipscope::experiments

@@ -1,57 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/claims/counts.hpp"
+//
+// What claims of geometry are decided by: how many of so many exact cases are against them.
+//
+// All is in rational numbers made from the bits of random input, against the exact reference: a
+// count of 0 is evidence, any other count holds counterexamples.
+#include "experiments/claims/rows.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <numeric>
-#include <optional>
 
 #include "experiments/claims/random_cases.hpp"
-#include "experiments/contestants/contestant.hpp"
-#include "experiments/measure/compare.hpp"
-#include "experiments/primitives/triangulate.hpp"
+#include "experiments/contestants/triangulate.hpp"
+#include "experiments/judge/compare.hpp"
+#include "experiments/selection/select.hpp"
 #include "reference/exact_clip.hpp"
 #include "spaces/homogeneous/polygon.hpp"
 #include "spaces/plane_segment.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::claims {
 namespace {
 
 using reference::InputTriangle;
 using reference::InputVertex;
 using reference::Truth;
 
-constexpr std::array kDepthRanges = {DepthRange::minus_one_to_one, DepthRange::zero_to_one,
-                                     DepthRange::reversed};
+using Rows = std::span<CountRow>;
 
-bool is_inside(const Truth& truth, const InputVertex& v) {
-  return reference::classify(truth, std::span(&v, 1), 0) == reference::Verdict::accepted;
-}
-
-// Claim 5: is a point of the frustum one with -w <= x, y, z <= w?
-std::vector<ExactCount> count_inside_tests(std::uint64_t seed, std::size_t size) {
-  Random random(seed);
-  std::vector<ExactCount> counts = {
-      {"disagrees, depth [-1, 1]"}, {"disagrees, depth [0, 1]"}, {"disagrees, depth reversed"}};
-  for (std::size_t i = 0; i < size; ++i) {
-    Frustum<double> frustum = random_frustum(random);
-    const InputVertex v = lattice_view_vertex(random);
-    for (std::size_t d = 0; d < kDepthRanges.size(); ++d) {
-      frustum.depth = kDepthRanges[d];
-      const Truth truth = Truth::of_frustum(frustum);
-      const auto p = truth.clip_position(v);
-      const bool claimed = std::all_of(p.begin(), p.begin() + 3,
-                                       [&](const Exact& c) { return -p[3] <= c && c <= p[3]; });
-      ++counts[d].cases;
-      counts[d].count += claimed != is_inside(truth, v);
-    }
+// Is a point of the frustum one with -w <= x, y, z <= w?
+void count_inside_tests(Random& random, Rows by_depth) {
+  constexpr std::array kDepthRanges = {DepthRange::minus_one_to_one, DepthRange::zero_to_one,
+                                       DepthRange::reversed};
+  Frustum<double> frustum = random_frustum(random);
+  const InputVertex v = lattice_view_vertex(random);
+  for (std::size_t d = 0; d < kDepthRanges.size(); ++d) {
+    frustum.depth = kDepthRanges[d];
+    const Truth truth = Truth::of_frustum(frustum);
+    const auto p = truth.clip_position(v);
+    const bool claimed = std::all_of(p.begin(), p.begin() + 3,
+                                     [&](const Exact& c) { return -p[3] <= c && c <= p[3]; });
+    const auto verdict = reference::classify(truth, std::span(&v, 1), 0);
+    by_depth[d].add(claimed != (verdict == reference::Verdict::accepted));
   }
-  return counts;
 }
 
-// Twice the area of an NDC triangle, by its sign: -1, 0 or 1.
+// Twice the area of a triangle on the screen, by its sign: -1, 0 or 1.
 template <class V>
 int turn(const V& a, const V& b, const V& c) {
   const Exact area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -59,155 +53,118 @@ int turn(const V& a, const V& b, const V& c) {
 }
 
 // The sign of det (x y w) of three clip-space vertices: the winding of what is in front of the eye.
-int winding(const ClipTriangle<Exact, kRunTime>& t) {
-  const auto &a = t[0].position, &b = t[1].position, &c = t[2].position;
+int winding(const InputTriangle& t) {
+  std::array<std::array<Exact, 4>, 3> p;
+  for (std::size_t v = 0; v < 3; ++v) {
+    for (std::size_t i = 0; i < 4; ++i) p[v][i] = Exact(t.vertices[v].position[i]);
+  }
+  const auto& [a, b, c] = p;
   const Exact det = a[0] * (b[1] * c[3] - c[1] * b[3]) - a[1] * (b[0] * c[3] - c[0] * b[3]) +
                     a[3] * (b[0] * c[1] - c[0] * b[1]);
   return static_cast<int>(CGAL::sign(det));
 }
 
-const Contestant<Exact>& exact_contestant(std::string_view clipper) {
-  return *std::get<const Contestant<Exact>*>(find_contestant(clipper, "exact"));
+// What a clipper leaves of a triangle in exact arithmetic. where: a batch without its numbers.
+Answers clip_exactly(std::string_view clipper, Batch where, const InputTriangle& triangle) {
+  std::vector<double> numbers;
+  for (const InputVertex& v : triangle.vertices) {
+    numbers.insert(numbers.end(), v.position.begin(), v.position.begin() + where.dimension());
+  }
+  where.numbers = std::span<const double>(numbers);
+  return clip(find_contestant(clipper, "exact"), where);
 }
 
-// Claim 6: fan triangles of the clipped polygon that are wound against the triangle.
-void count_windings(const Contestant<Exact>& contestant, const ClipTriangle<Exact, kRunTime>& t,
-                    ExactCount& against) {
-  NdcPolygon<Exact, kRunTime> polygon;
-  contestant.clip_one(ClipVolume{}, t, polygon);
-  for (int i = 2; i < polygon.size(); ++i) {
-    const int fan = turn(polygon[0].position, polygon[i - 1].position, polygon[i].position);
-    if (fan == 0) continue;
-    ++against.cases;
-    against.count += fan != winding(t);
+// Fan triangles of the clipped polygon that are wound against the triangle.
+void count_fans(Random& random, Rows by_clipper) {
+  const InputTriangle triangle = lattice_clip_triangle(random);
+  if (winding(triangle) == 0) return;
+  for (std::size_t c = 0; c < 2; ++c) {
+    const char* clipper = c == 0 ? "homogeneous/sutherland_hodgman" : "cvv/naive";
+    const Answers answers = clip_exactly(clipper, {.space = Space::clip}, triangle);
+    std::vector<std::array<Exact, 2>> polygon;
+    for (const VertexView v : answers[0]) polygon.push_back({to_exact(v[0]), to_exact(v[1])});
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      const int fan = turn(polygon[0], polygon[i - 1], polygon[i]);
+      if (fan != 0) by_clipper[c].add(fan != winding(triangle));
+    }
   }
 }
 
-std::vector<ExactCount> count_fans(std::uint64_t seed, std::size_t size) {
-  Random random(seed);
-  ExactCount in_order{"fan triangles wound the other way, cut in clip space"};
-  ExactCount naive{"fan triangles wound the other way, divided first"};
-  for (std::size_t i = 0; i < size; ++i) {
-    const auto triangle = exact_clip_triangle(lattice_clip_triangle(random));
-    if (winding(triangle) == 0) continue;
-    count_windings(exact_contestant("homogeneous/sutherland_hodgman"), triangle, in_order);
-    count_windings(exact_contestant("cvv/naive"), triangle, naive);
-  }
-  return {in_order, naive};
-}
-
-// Claim 8: one vertex outside one plane, the others inside.
-std::vector<ExactCount> count_one_outside(std::uint64_t seed, std::size_t size) {
-  Random random(seed);
-  ExactCount four{"leaves 4 vertices"}, touching{"leaves fewer: another vertex is on the plane"},
-      other{"leaves anything else"};
+// One vertex is outside one plane, the others are inside: four are left, fewer, or anything else.
+void count_one_outside(Random& random, Rows left) {
   const Truth truth = Truth::of_clip(DepthRange::minus_one_to_one);
-  for (std::size_t i = 0; i < size; ++i) {
-    const InputTriangle t = one_vertex_outside(random);
-    if (winding(exact_clip_triangle(t)) == 0) continue;  // seen edge on
-    const std::size_t vertices = reference::clip(truth, t).vertices.size();
-    const int axis = outside_axis(t.vertices[0]);
-    const bool touches = std::any_of(t.vertices.begin() + 1, t.vertices.end(), [&](const auto& v) {
-      return v.position[axis] == std::copysign(v.position[3], t.vertices[0].position[axis]);
-    });
-    for (ExactCount* c : {&four, &touching, &other}) ++c->cases;
-    ExactCount& kind = vertices == 4 ? four : vertices < 4 && touches ? touching : other;
-    ++kind.count;
-  }
-  return {four, touching, other};
+  const InputTriangle t = one_vertex_outside(random);
+  if (winding(t) == 0) return;  // seen edge on
+  const std::size_t vertices = reference::clip(truth, t).vertices.size();
+  const int axis = outside_axis(t.vertices[0]);
+  const bool touches = std::any_of(t.vertices.begin() + 1, t.vertices.end(), [&](const auto& v) {
+    return v.position[axis] == std::copysign(v.position[3], t.vertices[0].position[axis]);
+  });
+  const bool four = vertices == 4, fewer = vertices < 4 && touches;
+  left[0].add(four);
+  left[1].add(fewer);
+  left[2].add(!four && !fewer);
 }
 
-// An edge of which the first end is inside the frustum and the second outside of `plane` alone.
-struct CrossingEdge {
-  Frustum<double> frustum;
-  Plane plane;
+ViewSegment<Exact, 1> exact_segment(const std::array<InputVertex, 2>& ends) {
+  ViewSegment<Exact, 1> segment;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& [x, y, z, one] = ends[i].position;
+    segment[i].position = Vec3<Exact>(Exact(x), Exact(y), Exact(z));
+    segment[i].attributes[0] = Exact(ends[i].attributes[0]);
+  }
+  return segment;
+}
+
+enum class Of { parameter, attribute };
+
+// The cut of an edge of which the first end is inside the frustum and the second outside of one
+// plane alone: is the parameter, is the attribute found with it another in clip space and after the
+// divide?
+template <Of kOf>
+void count_cut(Random& random, Rows by_space) {
+  const Frustum<double> frustum = random_frustum(random);
   std::array<InputVertex, 2> ends;
-};
-
-std::optional<CrossingEdge> random_crossing_edge(Random& random) {
-  CrossingEdge edge{random_frustum(random), Plane::left, {}};
-  for (InputVertex& end : edge.ends) {
-    end = lattice_view_vertex(random);
-    end.attributes[0] = static_cast<double>(random.below(17)) - 8;
+  std::array<Outcode, 2> outside;
+  for (std::size_t i = 0; i < 2; ++i) {
+    ends[i] = lattice_view_vertex(random);
+    ends[i].attributes[0] = static_cast<double>(random.below(17)) - 8;
+    const auto& [x, y, z, one] = ends[i].position;
+    outside[i] = view_outcode(frustum, Vec3<double>(x, y, z));
   }
-  const auto code = [&](const InputVertex& v) {
-    return view_outcode(edge.frustum, Vec3<double>(v.position[0], v.position[1], v.position[2]));
+  if (outside[0] != 0 || !std::has_single_bit(outside[1])) return;
+  const auto plane = static_cast<Plane>(std::countr_zero(outside[1]));
+
+  const Projection<Exact> projection(frustum_cast<Exact>(frustum));
+  const auto cut_at = [&](const auto& space, const auto& a, const auto& b) {
+    return cut_parameter(signed_distance(space, plane, a), signed_distance(space, plane, b));
   };
-  const Outcode outside = code(edge.ends[1]);
-  if (code(edge.ends[0]) != 0 || !std::has_single_bit(outside)) return std::nullopt;
-  edge.plane = static_cast<Plane>(std::countr_zero(outside));
-  return edge;
+  const auto view = exact_segment(ends);
+  const auto clip = to_clip(projection, view);
+  const Exact t_view = cut_at(projection.frustum, view[0], view[1]);
+  const Exact t_clip = cut_at(frustum.depth, clip[0], clip[1]);
+  const auto truth = reference::clip(Truth::of_frustum(frustum), ends, 1).vertices.back();
+  const Exact value = reference::to_rational(truth.attributes[0]);
+  const auto count = [&](CountRow& row, const Exact& t, const auto& from, const auto& to) {
+    row.add(kOf == Of::parameter ? t != t_view : interpolate(from, to, t).attributes[0] != value);
+  };
+  count(by_space[0], t_clip, view[0], view[1]);
+  if (!(Exact(0) < clip[1].position[3])) return;  // has no picture
+  const auto a = to_ndc(clip[0]), b = to_ndc(clip[1]);
+  count(by_space[1], cut_at(frustum.depth, a, b), a, b);
 }
 
-// Claims 9 and 24: the parameter of the cut in each space, and the attribute found with it.
-struct EdgeCounts {
-  ExactCount clip_t, ndc_t, clip_attribute, ndc_attribute;
-
-  void add(const CrossingEdge& edge) {
-    const Projection<Exact> projection(exact_frustum(edge.frustum));
-    const auto view = exact_view_segment(edge.ends);
-    const auto clip = to_clip(projection, view);
-    const auto& f = projection.frustum;
-    const Exact t_view = cut_parameter(signed_distance(f, edge.plane, view[0]),
-                                       signed_distance(f, edge.plane, view[1]));
-    const Exact t_clip = cut_parameter(signed_distance(f.depth, edge.plane, clip[0]),
-                                       signed_distance(f.depth, edge.plane, clip[1]));
-    const auto cut = reference::clip(Truth::of_frustum(edge.frustum), edge.ends, 1);
-    const Exact truth = reference::to_rational(cut.vertices.back().attributes[0]);
-    note(clip_t, t_clip != t_view);
-    note(clip_attribute, interpolate(view[0], view[1], t_clip).attributes[0] != truth);
-    if (!(Exact(0) < clip[1].position[3])) return;  // has no picture
-    const auto a = to_ndc(clip[0]), b = to_ndc(clip[1]);
-    const Exact t_ndc = cut_parameter(signed_distance(f.depth, edge.plane, a),
-                                      signed_distance(f.depth, edge.plane, b));
-    note(ndc_t, t_ndc != t_view);
-    note(ndc_attribute, interpolate(a, b, t_ndc).attributes[0] != truth);
-  }
-
- private:
-  static void note(ExactCount& c, bool differs) {
-    ++c.cases;
-    c.count += differs;
-  }
-};
-
-EdgeCounts count_edges(std::uint64_t seed, std::size_t size) {
-  Random random(seed);
-  EdgeCounts counts{{"t in clip space is not t in view space"},
-                    {"t after the divide is not t in view space"},
-                    {"attribute at t in clip space is wrong"},
-                    {"attribute at t after the divide is wrong"}};
-  for (std::size_t i = 0; i < 20 * size; ++i) {
-    if (const auto edge = random_crossing_edge(random)) counts.add(*edge);
-  }
-  return counts;
-}
-
-std::vector<ExactCount> count_attributes(std::uint64_t seed, std::size_t size) {
-  const EdgeCounts counts = count_edges(seed, size);
-  return {counts.clip_attribute, counts.ndc_attribute};
-}
-
-std::vector<ExactCount> count_parameters(std::uint64_t seed, std::size_t size) {
-  const EdgeCounts counts = count_edges(seed, size);
-  return {counts.clip_t, counts.ndc_t};
-}
-
-// Claim 10: far corners of a frustum that are not on the side plane of normal (-cos, 0, sin) at half
-// the vertical angle. Angles of whole-number triangles, so that sine and cosine are rational.
-std::vector<ExactCount> count_side_normals(std::uint64_t, std::size_t) {
-  ExactCount square{"corners off the plane, aspect 1"}, wide{"corners off the plane, aspect not 1"};
+// Far corners of a frustum that are not on the side plane of normal (-cos, 0, sin) at half the
+// vertical angle. Angles are those of whole-number triangles, so that sine and cosine are rational.
+void count_side_normals(Random&, Rows by_aspect) {
   for (const auto& [sine, cosine] : {std::pair{3, 5}, {4, 5}, {5, 13}, {12, 13}, {8, 17}}) {
     const int adjacent = static_cast<int>(std::lround(std::sqrt(cosine * cosine - sine * sine)));
     const Exact s = Exact(sine) / Exact(cosine), c = Exact(adjacent) / Exact(cosine);
     for (const auto& [width, height] : {std::pair{1, 1}, {4, 3}, {16, 9}, {9, 16}, {21, 9}}) {
       const Exact depth = 10, x = s / c * Exact(width) / Exact(height) * depth;
-      ExactCount& kind = width == height ? square : wide;
-      ++kind.cases;
-      kind.count += s * depth - c * x != Exact(0);
+      by_aspect[width == height ? 0 : 1].add(s * depth - c * x != Exact(0));
     }
   }
-  return {square, wide};
 }
 
 // Whether every edge is a support line of the polygon in x and y.
@@ -226,60 +183,43 @@ bool is_convex(const Polygon& polygon) {
   return !(left && right);
 }
 
-// Pieces that share two vertices belong together: how many there are.
-std::size_t connected_parts(const std::vector<std::vector<reference::RationalVertex>>& pieces) {
-  std::vector<std::size_t> part(pieces.size());
-  std::iota(part.begin(), part.end(), 0);
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      std::vector<reference::RationalVertex> shared;
-      std::set_intersection(pieces[i].begin(), pieces[i].end(), pieces[j].begin(), pieces[j].end(),
-                            std::back_inserter(shared));
-      if (shared.size() >= 2) std::replace(part.begin(), part.end(), part[i], part[j]);
-    }
-  }
-  std::sort(part.begin(), part.end());
-  return static_cast<std::size_t>(std::unique(part.begin(), part.end()) - part.begin());
-}
-
+// How many polygons a simple one leaves. Its triangles hang together as a tree does, so that every
+// two pieces with an edge in common make one part less.
 std::size_t parts_left(const std::vector<std::array<double, 3>>& star) {
   const Truth truth = Truth::of_clip(DepthRange::minus_one_to_one);
   std::vector<std::vector<reference::RationalVertex>> pieces;
+  std::size_t joints = 0;
   for (const IndexTriangle& t : triangulate(std::span<const std::array<double, 3>>(star))) {
     InputTriangle triangle;
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto& p = star[static_cast<std::size_t>(t[i])];
-      triangle.vertices[i].position = {p[0], p[1], p[2], 1};
+      const auto& [x, y, z] = star[static_cast<std::size_t>(t[i])];
+      triangle.vertices[i].position = {x, y, z, 1};
     }
     const auto polygon = reference::clip(truth, triangle);
-    if (polygon.vertices.size() >= 3) pieces.push_back(reference::vertex_set(polygon));
-  }
-  return connected_parts(pieces);
-}
-
-// Claim 16.
-std::vector<ExactCount> count_parts(std::uint64_t seed, std::size_t size) {
-  Random random(seed);
-  ExactCount not_convex{"a convex polygon leaves one that is not"};
-  ExactCount several{"a concave polygon leaves several"};
-  HomogeneousPolygonClipper<Exact, 0> clipper;
-  for (std::size_t i = 0; i < size; ++i) {
-    const auto left = clipper(ClipVolume{}, convex_clip_polygon(random));
-    if (!left.empty()) {
-      ++not_convex.cases;
-      not_convex.count += !is_convex(left);
+    if (polygon.vertices.size() < 3) continue;
+    const auto piece = reference::vertex_set(polygon);
+    for (const auto& other : pieces) {
+      std::vector<reference::RationalVertex> shared;
+      std::set_intersection(piece.begin(), piece.end(), other.begin(), other.end(),
+                            std::back_inserter(shared));
+      joints += shared.size() >= 2;
     }
-    const std::size_t parts = parts_left(star_polygon(random));
-    several.cases += parts > 0;
-    several.count += parts > 1;
+    pieces.push_back(piece);
   }
-  return {not_convex, several};
+  return pieces.size() - joints;
 }
 
-// Claim 25, in float, over all exponents: the denominator of t on edges that cross a plane.
-std::vector<ExactCount> count_denominators(std::uint64_t seed, std::size_t size) {
-  Random random(seed);
-  ExactCount zero{"denominator 0"}, infinite{"denominator overflows"};
+// A convex polygon that leaves something not convex, and a concave one that leaves several.
+void count_parts(Random& random, Rows counts) {
+  HomogeneousPolygonClipper<Exact, 0> clipper;
+  const auto left = clipper(ClipVolume{}, convex_clip_polygon(random));
+  if (!left.empty()) counts[0].add(!is_convex(left));
+  const std::size_t parts = parts_left(star_polygon(random));
+  if (parts > 0) counts[1].add(parts > 1);
+}
+
+// In float, over all exponents: the denominator of t on edges that cross a plane, 0 or infinite.
+void count_denominators(Random& random, Rows counts) {
   const auto any_float = [&random] {
     float value = NAN;
     while (!std::isfinite(value)) {
@@ -287,81 +227,90 @@ std::vector<ExactCount> count_denominators(std::uint64_t seed, std::size_t size)
     }
     return value;
   };
-  for (std::size_t i = 0; i < 100 * size; ++i) {
-    const float x0 = any_float(), w0 = any_float(), x1 = any_float(), w1 = any_float();
-    const float kept = w0 + x0, cut = w1 + x1;
-    if (!(kept > 0 && cut < 0) || std::isinf(kept) || std::isinf(cut)) continue;
-    const float length = kept - cut;
-    for (ExactCount* c : {&zero, &infinite}) ++c->cases;
-    zero.count += length == 0;
-    infinite.count += std::isinf(length);
-  }
-  return {zero, infinite};
+  const float x0 = any_float(), w0 = any_float(), x1 = any_float(), w1 = any_float();
+  const float kept = w0 + x0, cut = w1 + x1;
+  if (!(kept > 0 && cut < 0) || std::isinf(kept) || std::isinf(cut)) return;
+  counts[0].add(kept - cut == 0);
+  counts[1].add(std::isinf(kept - cut));
 }
 
-// Claim 26.
-std::vector<ExactCount> count_vertices(std::uint64_t seed, std::size_t size) {
-  Random random(seed);
-  ExactCount nine{"9 vertices"}, more{"more than 9 vertices"};
+// 9 vertices, and more: of triangles around the volume's hexagon and of any in turn.
+void count_vertices(Random& random, Rows counts) {
+  const bool around = counts[0].cases % 2 == 0;
+  const InputTriangle t = around ? hexagon_cutter(random) : lattice_clip_triangle(random);
   const Truth truth = Truth::of_clip(DepthRange::minus_one_to_one);
-  for (std::size_t i = 0; i < size; ++i) {
-    const InputTriangle t = i % 2 == 0 ? hexagon_cutter(random) : lattice_clip_triangle(random);
-    const std::size_t vertices = reference::clip(truth, t).vertices.size();
-    for (ExactCount* c : {&nine, &more}) ++c->cases;
-    nine.count += vertices == 9;
-    more.count += vertices > 9;
-  }
-  return {nine, more};
+  const std::size_t vertices = reference::clip(truth, t).vertices.size();
+  counts[0].add(vertices == 9);
+  counts[1].add(vertices > 9);
 }
 
-// Claims 12 and 27: each space in exact arithmetic against the reference.
-std::vector<ExactCount> count_spaces(std::uint64_t seed, std::size_t size) {
-  constexpr std::array<std::string_view, 3> kClippers = {
-      "view/sutherland_hodgman", "homogeneous/sutherland_hodgman", "cvv/near_first"};
-  Random random(seed);
-  std::vector<ExactCount> counts;
-  for (const auto name : kClippers) counts.push_back({std::string(name) + " differs"});
-  for (std::size_t i = 0; i < size; ++i) {
-    const Frustum<double> frustum = random_frustum(random);
-    const InputTriangle t = lattice_view_triangle(random);
-    const TruthPolygon truth = truth_polygon(Truth::of_frustum(frustum), t);
-    for (std::size_t c = 0; c < kClippers.size(); ++c) {
-      NdcPolygon<Exact, kRunTime> polygon;
-      exact_contestant(kClippers[c])
-          .view_one(Projection<Exact>(exact_frustum(frustum)), exact_view_triangle(t), polygon);
-      const auto result =
-          compare<Exact, kRunTime>(std::span(polygon.begin(), polygon.end()), truth);
-      counts[c].cases += result.visible;
-      counts[c].count += result.visible && result.outcome != Outcome::exact;
-    }
+// Each space in exact arithmetic against the reference.
+void count_spaces(Random& random, Rows by_clipper) {
+  constexpr std::array kClippers = {"view/sutherland_hodgman", "homogeneous/sutherland_hodgman",
+                                    "cvv/near_first"};
+  const Frustum<double> frustum = random_frustum(random);
+  const InputTriangle t = lattice_view_triangle(random);
+  const TruthPolygon truth = truth_polygon(Truth::of_frustum(frustum), t);
+  for (std::size_t c = 0; c < kClippers.size(); ++c) {
+    const Answers answers =
+        clip_exactly(kClippers[c], {.frustum = frustum, .volume = {.depth = frustum.depth}}, t);
+    const Comparison comparison = compare(answers[0], truth);
+    if (comparison.visible) by_clipper[c].add(comparison.outcome != Outcome::exact);
   }
-  return counts;
 }
 
-// Claim 28: (1, 1, 0) seen with l = b = -1, r = t = 1, n = 1, f = 10.
-std::vector<ExactCount> count_example(std::uint64_t, std::size_t) {
+// (1, 1, 0) seen with l = b = -1, r = t = 1, n = 1, f = 10.
+void count_example(Random&, Rows counts) {
   const Truth truth = Truth::of_frustum({.near = 1, .far = 10});
   const auto p = truth.clip_position({.position = {1, 1, 0, 1}});
-  const bool as_claimed = p[0] == 1 && p[1] == 1 && p[2] == Exact(-20) / Exact(9) && p[3] == 0;
-  return {{"clip coordinates are (1, 1, -20/9, 0)", 1, as_claimed}};
+  counts[0].add(p[0] == 1 && p[1] == 1 && p[2] == Exact(-20) / Exact(9) && p[3] == 0);
 }
 
 }  // namespace
 
-const std::vector<CountingTask>& counting_tasks() {
-  static const std::vector<CountingTask> all = {
-      {5, "points of the frustum against -w <= x, y, z <= w", count_inside_tests},
-      {6, "winding of the fan", count_fans},
-      {8, "one vertex outside one plane", count_one_outside},
-      {9, "attributes at t", count_attributes},
-      {10, "normals of the side planes", count_side_normals},
-      {16, "parts of convex and concave polygons", count_parts},
-      {24, "t in three spaces", count_parameters},
-      {25, "denominator of t, float, all exponents", count_denominators},
-      {26, "number of vertices", count_vertices},
-      {27, "each space in exact arithmetic against the reference", count_spaces},
-      {28, "the point (1, 1, 0) in clip space", count_example}};
-  return all;
+std::vector<CountingTask> counting_tasks() {
+  using Count = void (*)(Random&, Rows);
+  std::vector<CountingTask> tasks;
+  const auto add = [&](int claim, std::string_view title, Count count, std::size_t times,
+                       const std::vector<std::string_view>& quantities) {
+    tasks.push_back({claim, title, count, times, quantities});
+  };
+  add(5, "points of the frustum against -w <= x, y, z <= w", count_inside_tests, 1,
+      {"disagrees, depth [-1, 1]", "disagrees, depth [0, 1]", "disagrees, depth reversed"});
+  add(6, "winding of the fan", count_fans, 1,
+      {"fan triangles wound the other way, cut in clip space",
+       "fan triangles wound the other way, divided first"});
+  add(8, "one vertex outside one plane", count_one_outside, 1,
+      {"leaves 4 vertices", "leaves fewer: another vertex is on the plane",
+       "leaves anything else"});
+  add(9, "attributes at t", count_cut<Of::attribute>, 20,
+      {"attribute at t in clip space is wrong", "attribute at t after the divide is wrong"});
+  add(10, "normals of the side planes", count_side_normals, 0,
+      {"corners off the plane, aspect 1", "corners off the plane, aspect not 1"});
+  add(16, "parts of convex and concave polygons", count_parts, 1,
+      {"a convex polygon leaves one that is not", "a concave polygon leaves several"});
+  add(24, "t in three spaces", count_cut<Of::parameter>, 20,
+      {"t in clip space is not t in view space", "t after the divide is not t in view space"});
+  add(25, "denominator of t, float, all exponents", count_denominators, 100,
+      {"denominator 0", "denominator overflows"});
+  add(26, "number of vertices", count_vertices, 1, {"9 vertices", "more than 9 vertices"});
+  add(27, "each space in exact arithmetic against the reference", count_spaces, 1,
+      {"view/sutherland_hodgman differs", "homogeneous/sutherland_hodgman differs",
+       "cvv/near_first differs"});
+  add(28, "the point (1, 1, 0) in clip space", count_example, 0,
+      {"clip coordinates are (1, 1, -20/9, 0)"});
+  return tasks;
 }
 
-}  // namespace clipscope::experiments
+std::vector<CountRow> count_cases(const CountingTask& task, std::uint64_t seed, std::size_t size) {
+  std::vector<CountRow> rows;
+  for (const std::string_view quantity : task.quantities) {
+    rows.push_back({task.claim, std::string(task.title), std::string(quantity)});
+  }
+  Random random(seed);
+  const std::size_t inputs = task.times == 0 ? 1 : task.times * size;
+  for (std::size_t i = 0; i < inputs; ++i) task.count(random, rows);
+  return rows;
+}
+
+}  // namespace clipscope::experiments::claims

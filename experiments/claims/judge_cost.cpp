@@ -1,316 +1,325 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
-#include "experiments/claims/judges.hpp"
+#include "experiments/bounds/rows.hpp"
+#include "experiments/claims/claim.hpp"
+#include "experiments/cost/rows.hpp"
+#include "experiments/frontier/rows.hpp"
+#include "experiments/perspective/rows.hpp"
+#include "experiments/pictures/rows.hpp"
+#include "experiments/segments/rows.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::claims {
 namespace {
 
-// How many times faster than textbook a clipper is on a mix, in float, with its 95 % interval.
+// A clipper's time on a mix in float, and how many times faster than the table's baseline it is.
 struct Speed {
-  double ns = 0, median = 0, low = 0, high = 0;
+  double ns = 0;
+  MedianInterval speedup;
+
+  // Faster beyond the intervals of both.
+  bool operator>(const Speed& other) const { return speedup.low > other.speedup.high; }
 };
 
-Speed speed(const Results& results, const std::string& mix, const std::string& clipper) {
-  const auto figure = [&](const std::string& column) {
-    return results.number("cost", column,
-                          {{"mix", mix}, {"clipper", clipper}, {"scalar", "float"}});
-  };
-  return {figure("ns_per_triangle"), figure("speedup_to_textbook"), figure("speedup_low"),
-          figure("speedup_high")};
+template <class Row = cost::Row>
+Speed speed(const Results& results, const std::string& mix, std::string_view clipper) {
+  const Row& row = results.row<Row>(&Row::mix, mix, &Row::clipper, clipper, &Row::scalar, "float");
+  if (row.timing && row.timing->speedup) return {row.timing->ns.median, *row.timing->speedup};
+  throw MissingFigure(fmt::format("table {} has no time of {} on {}", Row::kName, clipper, mix));
 }
 
-// Beyond the intervals of both.
-bool is_faster(const Speed& a, const Speed& b) { return a.low > b.high; }
-
-// The spaces side by side on a mix: one triangle after the other with the same method, and many at once.
-// Of the distance matrix, a space of its own, the claims say nothing: it stands beside them.
-struct Spaces {
-  std::string mix;
-  Speed view, clip, cvv, barycentric;
-  Speed view_batch, clip_batch, barycentric_batch;
-
-  std::string text() const {
-    return fmt::format("{} {:.3g}/{:.3g}/{:.3g}/{:.3g}", mix, view.ns, clip.ns, cvv.ns,
-                       barycentric.ns);
-  }
-  std::string batch_text() const {
-    return fmt::format("{} {:.3g}/{:.3g}/-/{:.3g}", mix, view_batch.ns, clip_batch.ns,
-                       barycentric_batch.ns);
-  }
-};
-
-std::vector<Spaces> spaces_by_mix(const Results& results) {
-  std::vector<Spaces> mixes;
-  for (const std::string& mix : results.texts("cost", "mix")) {
-    const auto of = [&](const std::string& clipper) { return speed(results, mix, clipper); };
-    mixes.push_back({mix, of(kViewSpace), of(kClipSpace), of(kCvv), of(kBarycentric),
-                     of("view/batch"), of("homogeneous/batch"), of("barycentric/batch")});
-  }
-  return mixes;
+std::vector<std::string> mixes(const Results& results) {
+  return distinct(results.rows<cost::Row>(), &cost::Row::mix);
 }
 
-// Operations per triangle of all kinds.
-double operations(const Results& results, const std::string& mix, const std::string& clipper) {
-  double sum = 0;
-  for (const char* kind : {"additions", "multiplications", "divisions", "comparisons"}) {
-    sum += results.number("cost_operations", kind, {{"mix", mix}, {"clipper", clipper}});
+using Clippers = std::array<std::string_view, 4>;
+
+// The spaces side by side: one triangle after the other with the same method, and many at once. The
+// claims say nothing of the distance matrix, a space of its own, which stands beside them.
+constexpr Clippers kAlone = {kViewSpace, kClipSpace, kCvv, "barycentric/distance_matrix"};
+constexpr Clippers kBatches = {"view/batch", "homogeneous/batch", "", "barycentric/batch"};
+
+std::string times(const Results& results, const std::string& mix, const Clippers& clippers) {
+  std::vector<std::string> ns;
+  for (const std::string_view c : clippers) {
+    ns.push_back(c.empty() ? "-" : fmt::format("{:.3g}", speed(results, mix, c).ns));
   }
-  return sum;
-}
-
-constexpr const char* kTimes = "View/clip/CVV/barycentric take, in ns: {}.";
-
-// On which mixes something holds, and the times of the spaces on all of them.
-Finding by_mix(const Results& results, const std::string& condition,
-               const std::function<bool(const Spaces&)>& holds) {
-  Cases cases;
-  for (const Spaces& mix : spaces_by_mix(results)) cases.note(mix.mix, holds(mix), mix.text());
-  return cases.finding("The mix is {} (" + condition + "). ",
-                       fmt::format(fmt::runtime(kTimes), cases.figures("; ")));
-}
-
-// The same, and whether it holds as well where view and clip space take many triangles at once, in SIMD.
-Finding by_mix_and_batches(const Results& results, const std::string& condition,
-                           const std::function<bool(const Spaces&)>& holds) {
-  Cases cases;
-  std::vector<std::string> alone, batches;
-  for (const Spaces& mix : spaces_by_mix(results)) {
-    cases.note(mix.mix, holds(mix), mix.text());
-    cases.note(mix.mix + " in batches", is_faster(mix.clip_batch, mix.view_batch),
-               mix.batch_text());
-    alone.push_back(mix.text());
-    batches.push_back(mix.batch_text());
-  }
-  return cases.finding("The mix is {} (" + condition + "). ",
-                       fmt::format(fmt::runtime(std::string(kTimes) + " In batches: {}."),
-                                   fmt::join(alone, "; "), fmt::join(batches, "; ")));
+  return fmt::format("{} {}", mix, fmt::join(ns, "/"));
 }
 
 std::string operations_text(const Results& results) {
-  const std::string mix = results.texts("cost_operations", "mix").front();
-  return fmt::format(" Operations on {}: {:.0f}/{:.0f}/{:.0f}.", mix,
-                     operations(results, mix, kViewSpace), operations(results, mix, kClipSpace),
-                     operations(results, mix, kCvv));
+  using R = cost::OperationsRow;
+  const std::string& mix = results.rows<R>().front().mix;
+  const auto operations = [&](std::string_view clipper) {
+    const R& row = results.row<R>(&R::mix, mix, &R::clipper, clipper);
+    return row.arithmetic() + row.comparisons;
+  };
+  return fmt::format("Operations on {}: {:.0f}/{:.0f}/{:.0f}.", mix, operations(kViewSpace),
+                     operations(kClipSpace), operations(kCvv));
 }
 
-}  // namespace
-
-ClaimVerdict verdict_of(std::size_t holds, std::size_t of) {
-  if (holds == 0) return ClaimVerdict::refuted;
-  return holds == of ? ClaimVerdict::confirmed : ClaimVerdict::conditional;
+// Judges by the mixes on which it holds of the speeds of view space, clip space and CVV. In
+// batches: and by whether clip space is faster than view space as well where both take many
+// triangles at once.
+template <class Holds>
+auto by_mix(std::string_view elsewhere, bool in_batches, Holds holds) {
+  return [=](const Results& results) {
+    Cases cases;
+    std::vector<std::string> alone, batches;
+    for (const std::string& mix : mixes(results)) {
+      const auto of = [&](std::string_view clipper) { return speed(results, mix, clipper); };
+      cases.add(mix, holds(of(kViewSpace), of(kClipSpace), of(kCvv)));
+      alone.push_back(times(results, mix, kAlone));
+      if (!in_batches) continue;
+      cases.add(mix + " in batches", of("homogeneous/batch") > of("view/batch"));
+      batches.push_back(times(results, mix, kBatches));
+    }
+    std::string more;
+    if (in_batches) {
+      more = fmt::format(" In batches: {}. {}", fmt::join(batches, "; "), operations_text(results));
+    }
+    return cases.judge(fmt::format("The mix is {{}} (elsewhere it is not {}). ", elsewhere),
+                       "View/clip/CVV/barycentric take, in ns: {}.{}", fmt::join(alone, "; "),
+                       more);
+  };
 }
 
-void Cases::note(const std::string& name, bool holds, const std::string& figures) {
-  ++all_;
-  if (holds) holds_.push_back(name);
-  figures_.push_back(figures);
+bool view_is_slowest(const Speed& view, const Speed& clip, const Speed& cvv) {
+  return clip > view && cvv > view;
+}
+bool clip_is_fastest(const Speed& view, const Speed& clip, const Speed& cvv) {
+  return clip > view && clip > cvv;
+}
+bool cvv_is_slower(const Speed&, const Speed& clip, const Speed& cvv) { return clip > cvv; }
+
+// Judges by the mixes on which `clipper` takes at most so many times as long as `other`.
+auto by_ratio(std::string_view clipper, std::string_view other, double at_most,
+              const char* figures) {
+  return [=](const Results& results) {
+    Cases cases;
+    for (const std::string& mix : mixes(results)) {
+      const double ratio =
+          speed(results, mix, other).speedup.median / speed(results, mix, clipper).speedup.median;
+      cases.add(mix, ratio <= at_most, fmt::format("{} {:.2f}", mix, ratio));
+    }
+    return cases.judge("The mix is {}. ", "{}",
+                       fmt::format(fmt::runtime(figures), cases.figures(", "), at_most));
+  };
 }
 
-std::string Cases::figures(std::string_view separator) const {
-  return fmt::format("{}", fmt::join(figures_, separator));
-}
-
-Finding Cases::finding(std::string_view condition, const std::string& because) const {
-  const ClaimVerdict verdict = verdict_of(holds_.size(), all_);
-  if (verdict != ClaimVerdict::conditional) return {verdict, because};
-  return {verdict, fmt::format(fmt::runtime(condition), fmt::join(holds_, ", ")) + because};
-}
-
-Finding judge_view_needs_most(const Results& results) {
-  Finding finding = by_mix_and_batches(
-      results, "elsewhere it is not the slowest of the three", [](const Spaces& mix) {
-        return is_faster(mix.clip, mix.view) && is_faster(mix.cvv, mix.view);
-      });
-  finding.because += operations_text(results);
-  return finding;
-}
-
-Finding judge_clip_needs_least(const Results& results) {
-  Finding finding = by_mix_and_batches(
-      results, "elsewhere it is not the fastest of the three", [](const Spaces& mix) {
-        return is_faster(mix.clip, mix.view) && is_faster(mix.clip, mix.cvv);
-      });
-  finding.because += operations_text(results);
-  return finding;
-}
-
-Finding judge_cvv_less_efficient(const Results& results) {
-  return by_mix(results, "elsewhere it is not slower",
-                [](const Spaces& mix) { return is_faster(mix.clip, mix.cvv); });
-}
-
-Finding judge_dropping_whole(const Results& results) {
-  const std::string mix = results.texts("cost", "mix").front();
-  const Speed whole = speed(results, mix, "whole/any_outside");
-  const Speed clip = speed(results, mix, kClipSpace);
-  double holes = 0;
-  std::string where;
-  for (const std::string& scene : results.texts("pictures", "scene")) {
-    const double n = results.number("pictures", "holes_px",
-                                    {{"scene", scene}, {"clipper", "whole/any_outside"}});
-    holes += n;
-    where += fmt::format("{}{:.0f} px of {}", where.empty() ? "" : ", ", n, scene);
+Judgement perspective_correction(const Results& results) {
+  using R = perspective::CutRow;
+  const auto error = [&](const char* clipper) {
+    return std::ranges::max(
+        results.figures<R>(&R::max_error, &R::clipper, clipper, &R::scalar, "exact"));
+  };
+  const double affine = error("cvv/naive"), correct = error("cvv/perspective");
+  std::vector<std::string> prices;
+  for (const std::string& mix : mixes(results)) {
+    const double ns = speed(results, mix, "cvv/perspective").ns;
+    prices.push_back(
+        fmt::format("{} {:+.0f} %", mix, 100 * (ns / speed(results, mix, "cvv/naive").ns - 1)));
   }
-  const bool cheap = is_faster(whole, clip);
-  const std::string because = fmt::format("On {} it takes {:.3g} ns, cutting {:.3g} ns; holes: {}.",
-                                          mix, whole.ns, clip.ns, where);
-  if (cheap && holes > 0) return {ClaimVerdict::confirmed, because};
-  if (!cheap && holes > 0) {
-    return {ClaimVerdict::conditional, "Of the claim only the holes are true. " + because};
-  }
-  return {ClaimVerdict::refuted, because};
+  return confirmed_if(
+      affine > 0 && correct == 0,
+      "In exact arithmetic new vertices cut after the divide have attributes wrong by up to {:.2g} of their range if they are interpolated as positions are, by {:.2g} with a/w and 1/w. The correction changes the time by: {}.",
+      affine, correct, fmt::join(prices, ", "));
 }
 
-Finding judge_pipeline(const Results& results) {
-  constexpr double kLittle = 1.10;  // of the time of the clipper that plans its planes
+Judgement dropping_whole(const Results& results) {
+  using R = pictures::Row;
+  constexpr std::string_view kWhole = "whole/any_outside";
+  const std::string mix = mixes(results).front();
+  const Speed whole = speed(results, mix, kWhole), clip = speed(results, mix, kClipSpace);
+  const bool has_holes = sum(results.figures<R>(&R::holes_px, &R::clipper, kWhole)) > 0;
+  std::vector<std::string> holes;
+  for (const R& row : rows_where(results.rows<R>(), &R::clipper, kWhole)) {
+    holes.push_back(fmt::format("{} px of {}", row.holes_px, row.scene));
+  }
+  return true_only_when("Of the claim only the holes are true. ", has_holes,
+                        has_holes && whole > clip,
+                        "On {} it takes {:.3g} ns, cutting {:.3g} ns; holes: {}.", mix, whole.ns,
+                        clip.ns, fmt::join(holes, ", "));
+}
+
+Judgement divisions_spared(const Results& results) {
+  using R = cost::OperationsRow;
   Cases cases;
-  for (const std::string& mix : results.texts("cost", "mix")) {
-    const double ratio =
-        speed(results, mix, kClipSpace).median / speed(results, mix, "homogeneous/pipeline").median;
-    cases.note(mix, ratio <= kLittle, fmt::format("{} {:.2f}", mix, ratio));
+  for (const std::string& mix : distinct(results.rows<R>(), &R::mix)) {
+    const double before = results.row<R>(&R::mix, mix, &R::clipper, kClipSpace).divisions;
+    const double after = results.row<R>(&R::mix, mix, &R::clipper, "cvv/naive").divisions;
+    cases.add(mix, before < after, fmt::format("{} {:.3g} to {:.3g}", mix, before, after));
   }
-  return cases.finding(
-      "The mix is {}. ",
-      fmt::format("Against cutting by the crossed planes alone the pipeline takes, times: {} "
-                  "(little: at most {:.2f}).",
-                  cases.figures(), kLittle));
+  return cases.judge("Vertices are outside: mix {}. ",
+                     "Divisions per triangle, clip space to divide first: {}.",
+                     cases.figures("; "));
 }
 
-Finding judge_divisions_spared(const Results& results) {
-  Cases cases;
-  for (const std::string& mix : results.texts("cost_operations", "mix")) {
-    const auto divisions = [&](const std::string& clipper) {
-      return results.number("cost_operations", "divisions", {{"mix", mix}, {"clipper", clipper}});
-    };
-    const double before = divisions(kClipSpace), after = divisions("cvv/naive");
-    cases.note(mix, before < after, fmt::format("{} {:.3g} to {:.3g}", mix, before, after));
-  }
-  return cases.finding(
-      "Vertices are outside: mix {}. ",
-      fmt::format("Divisions per triangle, clip space to divide first: {}.", cases.figures("; ")));
-}
-
-Finding judge_clipless(const Results& results) {
-  const std::string table = "claims_clipless";
+Judgement clipless(const Results& results) {
   constexpr double kReported = 1.33;
   Cases cases;
-  for (const std::string& scene : results.texts(table, "scene")) {
-    const double speedup = results.number(table, "speedup", {{"scene", scene}});
-    cases.note(scene, speedup >= kReported, fmt::format("{} {:.2f}", scene, speedup));
+  for (const PictureRow& row : results.rows<PictureRow>()) {
+    if (!row.speedup) throw MissingFigure("table claims_clipless has no times of " + row.scene);
+    const double speedup = row.speedup->median;
+    cases.add(row.scene, speedup >= kReported, fmt::format("{} {:.2f}", row.scene, speedup));
   }
-  return cases.finding("The scene is {}. ",
-                       fmt::format("Pictures without cutting, times faster: {}.", cases.figures()));
+  return cases.judge("The scene is {}. ", "Pictures without cutting, times faster: {}.",
+                     cases.figures(", "));
 }
 
-Finding judge_filters(const Results& results) {
-  constexpr double kTwice = 2.0;
+// The cheapest that got every vertex and every coordinate of a set right, against the float
+// clippers of clip space that a renderer would take instead: one by one, or in batches.
+void add_rounding(const std::vector<frontier::Row>& rows, Cases& cases) {
+  constexpr double kExpensive = 2.0;  // times as long
+  const std::string name = fmt::format("{} {}", rows[0].set, name_of(rows[0].contract));
+  double usual_ns = HUGE_VAL, right_ns = HUGE_VAL;
+  std::string right;
+  for (const frontier::Row& r : rows) {
+    if (!r.timing) continue;
+    const double ns = r.timing->ns.median;
+    const bool is_usual = r.clipper == kClipSpace || r.clipper == "homogeneous/batch";
+    if (is_usual && r.scalar == "float") usual_ns = std::min(usual_ns, ns);
+    if (r.correctly_rounded_percent < 100.0 || r.wrong_percent != 0.0 || ns >= right_ns) continue;
+    right_ns = ns;
+    right = r.clipper + " in " + r.scalar;
+  }
+  if (std::isinf(usual_ns)) {
+    throw MissingFigure(fmt::format("table frontier has no time of {}", kClipSpace));
+  }
+  const double ratio = right_ns / usual_ns;
+  cases.add(
+      name, ratio > kExpensive,
+      std::isinf(ratio) ? name + " none" : fmt::format("{} {:.3g} times ({})", name, ratio, right));
+}
+
+Judgement correct_rounding(const Results& results) {
+  using R = frontier::Row;
+  const std::vector<R>& all = results.rows<R>();
   Cases cases;
-  for (const std::string& mix : results.texts("cost", "mix")) {
-    const double ratio =
-        speed(results, mix, kViewSpace).median / speed(results, mix, "view/exact_sign").median;
-    cases.note(mix, ratio <= kTwice, fmt::format("{} {:.2f}", mix, ratio));
-  }
-  return cases.finding(
-      "The mix is {}. ",
-      fmt::format("View-space clipping with exact signs takes, times the plain one: {}.",
-                  cases.figures()));
-}
-
-Finding judge_bounds(const Results& results) {
-  std::size_t most = 0, rows = 0;
-  double least = 100, largest = 0;
-  for (const std::string& scene : results.texts("bounds", "scene")) {
-    for (const std::string& bound : results.texts("bounds", "bound", {{"scene", scene}})) {
-      for (const double closer :
-           results.numbers("bounds", "closer_percent", {{"scene", scene}, {"bound", bound}})) {
-        const double settled = 100 - closer;
-        ++rows;
-        most += settled > 50;
-        least = std::min(least, settled);
-        largest = std::max(largest, settled);
-      }
+  for (const std::string& set : distinct(all, &R::set)) {
+    const std::vector<R> rows = rows_where(all, &R::set, set);
+    for (const Contract contract : distinct(rows, &R::contract)) {
+      add_rounding(rows_where(rows, &R::contract, contract), cases);
     }
   }
-  double lost = 0;
-  for (const double n : results.numbers("bounds", "visible_lost", {})) lost += n;
-  std::string because = fmt::format(
-      "They settle {:.0f} to {:.0f} % of the objects, by scene and bound, more than half in {} of "
-      "{} "
-      "rows; visible triangles lost: {:.0f}.",
-      least, largest, most, rows, lost);
-  const ClaimVerdict verdict = lost > 0 ? ClaimVerdict::refuted : verdict_of(most, rows);
-  if (verdict == ClaimVerdict::conditional)
-    because = "Objects are small beside the view. " + because;
-  return {verdict, because};
+  return cases.judge(
+      "The set and contract are {}. ",
+      "The cheapest that rounded every coordinate right costs, against the fastest float clipping in clip space: {}.",
+      cases.figures("; "));
 }
 
-namespace {
-
-// The cheapest contestant on a set that got every vertex and every coordinate right; infinite if there is
-// none.
-struct Cheapest {
-  double ns = HUGE_VAL;
-  std::string name;
-};
-
-Cheapest cheapest_rounded_right(const Results& results, const RowKey& where) {
-  Cheapest cheapest;
-  for (const auto& row : results.rows(
-           "frontier",
-           {"clipper", "scalar", "ns_per_triangle", "correctly_rounded_percent", "wrong_percent"},
-           where)) {
-    const auto* ns = std::get_if<double>(&row[2]);
-    const auto* right = std::get_if<double>(&row[3]);
-    const auto* wrong = std::get_if<double>(&row[4]);
-    if (!ns || !right || !wrong || *right < 100 || *wrong > 0 || *ns >= cheapest.ns) continue;
-    cheapest = {*ns, format_cell(row[0]) + " in " + format_cell(row[1])};
-  }
-  return cheapest;
+Judgement line_outcodes(const Results& results) {
+  using R = segments::OperationsRow;
+  const auto figure = [&](std::optional<double> R::*member, const char* mix) {
+    return results.figures<R>(member, &R::mix, mix, &R::clipper, "homogeneous/cohen_sutherland")
+        .front();
+  };
+  const double rejected = figure(&R::rejected_percent, "window_1_64");
+  const double free = rejected * figure(&R::rejected_free_percent, "window_1_64") / 100;
+  const double cuts = figure(&R::divisions_per_shortened, "cross_several");
+  const double ends = figure(&R::moved_ends_per_shortened, "cross_several");
+  const bool rejects_most = free > 50, repeats = cuts > ends;
+  return true_only_when(
+      rejects_most ? "Of its first half. " : "Of its second half. ", rejects_most || repeats,
+      rejects_most && repeats,
+      "Through a window of 1/64 it rejects {:.1f} % of all segments without an intersection; across several planes it computes {:.2f} for {:.2f} ends that move.",
+      free, cuts, ends);
 }
 
-// The fastest float clipper of clip space that a renderer would take instead: one by one, or in batches.
-double fastest_in_float(const Results& results, const RowKey& where) {
-  double ns = HUGE_VAL;
-  for (const auto& row :
-       results.rows("frontier", {"clipper", "scalar", "ns_per_triangle"}, where)) {
-    const std::string clipper = format_cell(row[0]);
-    const auto* time = std::get_if<double>(&row[2]);
-    if (clipper != kClipSpace && clipper != "homogeneous/batch") continue;
-    if (format_cell(row[1]) == "float" && time) ns = std::min(ns, *time);
+Judgement liang_barsky(const Results& results) {
+  using R = segments::OperationsRow;
+  constexpr std::string_view kClipper = "homogeneous/liang_barsky";
+  const auto speedup = [&](const char* mix) {
+    return speed<segments::TimeRow>(results, mix, kClipper).speedup;
+  };
+  const auto most = [&](std::optional<double> R::*member) {
+    return std::ranges::max(results.figures<R>(member, &R::clipper, kClipper));
+  };
+  const MedianInterval inside = speedup("inside"), outside = speedup("outside");
+  const double accepted = most(&R::divisions_per_accepted);
+  const double rejected = most(&R::divisions_per_rejected);
+  const bool as_cheap = inside.high >= 1 && outside.high >= 1;
+  const bool divides_only = accepted == 0 && rejected == 0;
+  return true_only_when(
+      as_cheap ? "Of acceptance and rejection. " : "Of divisions, not of time. ",
+      as_cheap || divides_only, as_cheap && divides_only,
+      "Its speed is {:.2f} times that of Cohen-Sutherland inside and {:.2f} times outside (float); divisions per accepted segment at most {:.2f}, per rejected {:.2f}.",
+      inside.median, outside.median, accepted, rejected);
+}
+
+Judgement plane_segment(const Results& results) {
+  const auto& forms = results.rows<segments::IntersectionRow>();
+  std::size_t normalised = 0, cheap = 0;
+  bool general = false;
+  for (const auto& [form, cut, uncut, point] : forms) {
+    if (form.starts_with("any plane")) {
+      general = cut.multiplications == 6 && cut.divisions == 1;
+    } else if (form.find("frustum in view space") == std::string::npos) {
+      ++normalised;
+      cheap += cut.multiplications == 0 && cut.divisions == 1;
+    }
   }
-  if (std::isfinite(ns)) return ns;
-  throw MissingFigure("table frontier: " + kClipSpace + " in float was not timed");
+  if (normalised == 0) throw MissingFigure("table segments_intersection has no normalised form");
+  return confirmed_if(
+      general && cheap == normalised,
+      "Counted: {} multiplications and {} division for any plane; {} of {} normalised forms take no multiplication and 1 division.",
+      forms[0].cut.multiplications, forms[0].cut.divisions, cheap, normalised);
+}
+
+Judgement bounding_volumes(const Results& results) {
+  using R = bounds::Row;
+  const std::vector<double> settled = results.figures<R>(&R::settled_percent);
+  const auto most = std::ranges::count_if(settled, [](double percent) { return percent > 50; });
+  const double lost = sum(results.figures<R>(&R::visible_lost));
+  const bool all = most == std::ssize(settled);
+  return true_only_when(
+      "Objects are small beside the view. ", lost == 0 && most > 0, lost == 0 && all,
+      "They settle {:.0f} to {:.0f} % of the objects, by scene and bound, more than half in {} of {} rows; visible triangles lost: {:.0f}.",
+      std::ranges::min(settled), std::ranges::max(settled), most, settled.size(), lost);
 }
 
 }  // namespace
 
-Finding judge_correct_rounding(const Results& results) {
-  constexpr double kExpensive = 2.0;  // times float clipping in clip space
-  Cases cases;
-  for (const std::string& set : results.texts("frontier", "set")) {
-    for (const std::string& contract : results.texts("frontier", "contract", {{"set", set}})) {
-      const RowKey where = {{"set", set}, {"contract", contract}};
-      const Cheapest c = cheapest_rounded_right(results, where);
-      const std::string name = set + " " + contract;
-      const std::string times = std::isfinite(c.ns)
-                                    ? fmt::format("{} {:.3g} times ({})", name,
-                                                  c.ns / fastest_in_float(results, where), c.name)
-                                    : name + " none";
-      cases.note(name, c.ns > kExpensive * fastest_in_float(results, where), times);
-    }
-  }
-  return cases.finding(
-      "The set and contract are {}. ",
-      fmt::format("The cheapest that rounded every coordinate right costs, against the fastest "
-                  "float clipping in clip space: {}.",
-                  cases.figures("; ")));
+std::vector<Claim> claims_about_cost() {
+  return {
+      {1, "View-space clipping needs the most computation.", "cost",
+       by_mix("the slowest of the three", true, view_is_slowest)},
+      {2, "Clip-space clipping needs the least and is the most efficient.", "cost",
+       by_mix("the fastest of the three", true, clip_is_fastest)},
+      {3, "CVV clipping is less efficient than clip-space clipping.", "cost",
+       by_mix("slower", false, cvv_is_slower)},
+      {4, "CVV clipping must account for perspective correction.", "perspective",
+       perspective_correction},
+      {7, "Dropping whole triangles is cheap but leaves visible holes at the border.", "pictures",
+       dropping_whole},
+      {13,
+       "Cohen-Sutherland rejects most segments without any intersection when the window is small; it repeats work when a segment must be shortened several times.",
+       "segments", line_outcodes},
+      {14, "Liang-Barsky accepts and rejects as cheaply, and divides only when it shortens.",
+       "segments", liang_barsky},
+      {15, "A pipeline of independent plane clippers adds little latency.", "cost",
+       by_ratio(
+           "homogeneous/pipeline", kClipSpace, 1.10,
+           "Against cutting by the crossed planes alone the pipeline takes, times: {} (little: at most {:.2f}).")},
+      {17, "Bounding volumes settle most objects without touching their polygons.", "bounds",
+       bounding_volumes},
+      {18,
+       "A general plane-segment intersection costs 6 multiplications and 1 division; in a normalised (also oblique) volume 1 division.",
+       "segments", plane_segment},
+      {19, "Clipping before the divide spares divisions for vertices outside.", "cost",
+       divisions_spared},
+      {29,
+       "Geometric clipping can be avoided by 2D homogeneous rasterisation, 33 % faster (Olano and Greer 1997).",
+       "claims", clipless},
+      {31,
+       "Floating-point filters make exact decisions at most about twice as slow, near free in practice (Shewchuk 1997; Bronnimann, Burnikel and Pion 2001).",
+       "cost",
+       by_ratio("view/exact_sign", kViewSpace, 2,
+                "View-space clipping with exact signs takes, times the plain one: {}.")},
+      {32, "Correct rounding is expensive (experience with mathematical libraries).", "frontier",
+       correct_rounding}};
 }
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::claims

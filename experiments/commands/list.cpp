@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // clipscope list: what there is to select from.
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
 #include <initializer_list>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "experiments/catalogue/hard_case.hpp"
-#include "experiments/commands/commands.hpp"
-#include "experiments/commands/selection.hpp"
-#include "experiments/errors.hpp"
-#include "experiments/experiment.hpp"
-#include "experiments/report/table.hpp"
+#include "experiments/commands/options.hpp"
+#include "experiments/report/experiment.hpp"
 #include "experiments/scenes/builtin.hpp"
-#include "spaces/homogeneous/polygon.hpp"
+#include "experiments/selection/select.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::commands {
 namespace {
 
 // ", a, b" for the names whose flag is set; "" for none.
@@ -52,21 +45,6 @@ std::string promise_text(const Promise& promise) {
   return text;
 }
 
-// C: a contestant, or a clipper.
-template <class C>
-void add_clipper(Table& table, const C& c, Primitive primitive, bool takes_clip_space) {
-  table.add_row({std::string(c.name), to_string(primitive),
-                 std::string(takes_clip_space ? "view, clip" : "view"), std::string(c.summary),
-                 promise_text(c.promise), std::string(c.source)});
-}
-
-template <std::size_t N>
-void add_clippers(Table& table, Primitive primitive) {
-  for (const Contestant<float, N>& c : contestants<float, N>()) {
-    add_clipper(table, c, primitive, c.clip != nullptr);
-  }
-}
-
 Table clippers_table() {
   Table table("clippers", "Clippers",
               {{"name", "name"},
@@ -75,10 +53,16 @@ Table clippers_table() {
                {"summary", "what it does"},
                {"promise", "backward error promised"},
                {"source", "source"}});
-  add_clippers<3>(table, Primitive::triangle);
-  add_clippers<2>(table, Primitive::segment);
-  add_clippers<1>(table, Primitive::point);
-  add_clipper(table, HomogeneousPolygonClipper<float, kRunTime>{}, Primitive::polygon, true);
+  for (const Primitive primitive :
+       {Primitive::triangle, Primitive::segment, Primitive::point, Primitive::polygon}) {
+    const int vertices = static_cast<int>(vertices_of(primitive));
+    for (const std::string_view name : clipper_names(vertices)) {
+      const Contestant& c = *find_in_contract(name, kFormat<float>.name, Contract::full, vertices);
+      table.add_row({std::string(name), to_string(primitive),
+                     c.takes_clip_space ? "view, clip" : "view", std::string(c.summary),
+                     promise_text(c.promise), std::string(c.source)});
+    }
+  }
   return table;
 }
 
@@ -86,10 +70,9 @@ Table scalars_table() {
   Table table("scalars", "Scalars",
               {{"name", "name"}, {"precision_bits", "bits"}, {"summary", "what it is"}});
   for_each_type(AllScalars{}, [&]<class T>() {
-    Cell bits;
-    if (ScalarTraits<T>::precision > 0) bits = std::int64_t{ScalarTraits<T>::precision};
-    table.add_row(
-        {std::string(ScalarTraits<T>::name), bits, std::string(ScalarTraits<T>::summary)});
+    const Format& f = kFormat<T>;
+    table.add_row({std::string(f.name), f.is_exact() ? Cell() : std::int64_t{f.precision},
+                   std::string(f.summary)});
   });
   return table;
 }
@@ -105,8 +88,8 @@ Table scenes_table() {
 
 Table experiments_table() {
   Table table("experiments", "Experiments", {{"name", "name"}, {"question", "question"}});
-  for (const Experiment& experiment : all_experiments()) {
-    table.add_row({std::string(experiment.name), std::string(experiment.question)});
+  for (const Experiment* e : all_experiments()) {
+    table.add_row({std::string(e->name), std::string(e->question)});
   }
   return table;
 }
@@ -124,33 +107,33 @@ void print_list(const Table& table) {
   }
 }
 
+struct ListOptions {
+  std::string what;
+  bool json = false;
+};
+
+int list(const ListOptions& options) {
+  const Table table = options.what == "clippers"  ? clippers_table()
+                      : options.what == "scalars" ? scalars_table()
+                      : options.what == "scenes"  ? scenes_table()
+                                                  : experiments_table();
+  if (options.json) {
+    fmt::print("{}\n", table.to_json()["rows"].dump(2));
+  } else {
+    print_list(table);
+  }
+  return kExitOk;
+}
+
 }  // namespace
 
 void add_list_command(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("list", "List clippers, scalars, scenes or experiments");
-  struct Options {
-    std::string what;
-    bool json = false;
-  };
-  const auto options = std::make_shared<Options>();
-  command->add_option("what", options->what, "What to list")
+  const auto [command, options] =
+      add_command(app, action, list, "list", "List clippers, scalars, scenes or experiments");
+  command.add_option("what", options.what, "What to list")
       ->required()
       ->check(CLI::IsMember({"clippers", "scalars", "scenes", "experiments"}));
-  command->add_flag("--json", options->json, "Print JSON");
-  command->callback([&action, options] {
-    action = [options] {
-      const Table table = options->what == "clippers"  ? clippers_table()
-                          : options->what == "scalars" ? scalars_table()
-                          : options->what == "scenes"  ? scenes_table()
-                                                       : experiments_table();
-      if (options->json) {
-        fmt::print("{}\n", table.to_json()["rows"].dump(2));
-      } else {
-        print_list(table);
-      }
-      return int{kExitOk};
-    };
-  });
+  command.add_flag("--json", options.json, "Print JSON");
 }
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::commands

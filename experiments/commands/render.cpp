@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // clipscope render: a picture of a scene with a clipper, and its error beside it.
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
-#include <memory>
 #include <optional>
 
-#include "experiments/commands/commands.hpp"
-#include "experiments/commands/number_list.hpp"
-#include "experiments/commands/selection.hpp"
-#include "experiments/errors.hpp"
-#include "experiments/pictures/draw_scene.hpp"
+#include "experiments/commands/options.hpp"
 #include "experiments/render/figure.hpp"
+#include "experiments/survey/draw_scene.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::commands {
 namespace {
 
 struct RenderOptions {
@@ -42,14 +35,14 @@ PictureSize picture_size(const std::vector<double>& size) {
 
 int render(const RenderOptions& options) {
   check_image_path(options.out);
-  const AnyContestant contestant = find_contestant(options.selection.clipper, options.scalar);
+  const Contestant& contestant = find_contestant(options.selection.clipper, options.scalar);
   const Scene scene = load_selected_scene(options.selection, options.scene);
   const View& view = find_view(scene, options.view);
   const FrameBuffer tested = draw_with(contestant, scene, view, options.size);
   const std::string title = fmt::format("{}, {}", scene.name, view.label);
   Figure figure{&tested,
                 nullptr,
-                {title, std::string(clipper_name(contestant)), options.scalar, "exact"},
+                {title, std::string(contestant.clipper), options.scalar, "exact"},
                 {.cells_per_unit = options.cells}};
   std::optional<HeatMap> heat_map;
   if (!options.against.empty()) {
@@ -65,32 +58,24 @@ int render(const RenderOptions& options) {
 }  // namespace
 
 void add_render_command(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("render", "Draw a scene with a clipper, and its error");
-  command->footer(
-      "PNG: the figure, with legend. EXR: picture, depth, texture coordinates, error and "
-      "more as float channels.");
-  const auto options = std::make_shared<RenderOptions>();
-  add_scene_options(*command, options->selection);
-  command->remove_option(command->get_option("--scene"));
-  command->add_option("--scene", options->scene, "A built-in scene or a mesh file")
-      ->type_name("NAME|FILE")
+  const auto [command, options] = add_command(
+      app, action, render, "render", "Draw a scene with a clipper, and its error",
+      "PNG: the figure, with legend. EXR: picture, depth, texture coordinates, error and more as float channels.");
+  add_scene_options(command, options.selection);
+  command.remove_option(command.get_option("--scene"));
+  add_option(command, "--scene", options.scene, "NAME|FILE", "A built-in scene or a mesh file")
       ->required();
-  command->add_option("--view", options->view, "Label of the scene's view [the first]");
-  command->add_option("--clipper", options->selection.clipper, "Name of a clipper")
-      ->type_name("NAME")
-      ->required();
-  command->add_option("--scalar", options->scalar, "Scalar to compute in [float]");
-  command->add_option("--against", options->against, "Also show the error against this")
+  command.add_option("--view", options.view, "Label of the scene's view [the first]");
+  add_contestant_options(command, options.selection.clipper, options.scalar);
+  command.add_option("--against", options.against, "Also show the error against this")
       ->check(CLI::IsMember({"exact"}));
-  command->add_option("--cells", options->cells, "Checkerboard cells per unit of u and v [8]");
+  command.add_option("--cells", options.cells, "Checkerboard cells per unit of u and v [8]");
   add_number_list(
-      *command, "--size", 2, "W,H",
-      [options](const std::vector<double>& size) { options->size = picture_size(size); },
+      command, "--size", 2, "W,H",
+      [&to = options.size](const std::vector<double>& size) { to = picture_size(size); },
       "Width and height in pixels [960,540]");
-  command->add_option("--out", options->out, "Where to write: FILE.png or FILE.exr")
-      ->type_name("FILE")
+  add_option(command, "--out", options.out, "FILE", "Where to write: FILE.png or FILE.exr")
       ->required();
-  command->callback([&action, options] { action = [options] { return render(*options); }; });
 }
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::commands

@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // clipscope run: the experiments.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <tbb/global_control.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <memory>
+#include <numeric>
 #include <optional>
 #include <set>
 
-#include "experiments/commands/commands.hpp"
-#include "experiments/errors.hpp"
-#include "experiments/experiment.hpp"
+#include "experiments/commands/options.hpp"
+#include "experiments/machine/files.hpp"
+#include "experiments/report/experiment.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/store/run_folder.hpp"
-#include "experiments/store/run_identity.hpp"
 #include "experiments/store/run_recorder.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::commands {
 namespace {
 
 struct RunOptions {
@@ -32,37 +29,36 @@ struct RunOptions {
   std::optional<int> threads;
 };
 
-const Experiment& find_experiment(const std::string& name) {
-  const auto all = all_experiments();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Experiment& e) { return e.name == name; });
-  if (found == all.end()) {
-    std::vector<std::string_view> known;
-    for (const Experiment& e : all) known.push_back(e.name);
-    throw UsageError(
-        fmt::format("no experiment is called '{}'; there are: {}", name, fmt::join(known, ", ")));
+// The place of each among all experiments; all places if none is named. Errors: UsageError.
+std::vector<std::size_t> places_of(const std::vector<std::string>& names) {
+  std::vector<std::string_view> known;
+  for (const Experiment* e : all_experiments()) known.push_back(e->name);
+  std::vector<std::size_t> places(names.empty() ? known.size() : 0);
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(known, name);
+    if (found == known.end()) {
+      usage_error("no experiment is called '{}'; there are: {}", name, fmt::join(known, ", "));
+    }
+    places.push_back(static_cast<std::size_t>(found - known.begin()));
   }
-  return *found;
+  return places;
 }
 
-// A scene named twice is run once.
+// What is named twice is run once.
 void drop_repeated(std::vector<std::string>& names) {
   std::set<std::string> seen;
   std::erase_if(names, [&](const std::string& name) { return !seen.insert(name).second; });
 }
 
-// Finds out at once what would only be found out after minutes: that a name is wrong, that results
-// can't be written.
-std::vector<const Experiment*> check(const RunOptions& options) {
-  std::vector<const Experiment*> chosen;
-  for (const std::string& name : options.names) chosen.push_back(&find_experiment(name));
-  if (chosen.empty()) {
-    for (const Experiment& e : all_experiments()) chosen.push_back(&e);
-  }
+// The places of those chosen. Finds out at once what would only be found out after minutes: that a
+// name is wrong, that results can't be written.
+std::vector<std::size_t> check(const RunOptions& options) {
+  std::vector<std::size_t> chosen = places_of(options.names);
   selected_contestants(options.selection);
-  write_file(std::filesystem::path(options.out) / "README.md",
-             "Tables and pictures written by `clipscope run`, and all results in one SQLite file, "
-             "`results.sqlite`.\n");
+  write_file(
+      std::filesystem::path(options.out) / "README.md",
+      "Tables and pictures written by `clipscope run`, and all results in one SQLite file, `results.sqlite`.\n");
   return chosen;
 }
 
@@ -90,8 +86,10 @@ std::string time_left(double elapsed, std::size_t done, std::size_t all) {
                      elapsed, left);
 }
 
-int run_experiments(const RunOptions& options) {
-  const std::vector<const Experiment*> chosen = check(options);
+int run_experiments(RunOptions options) {
+  drop_repeated(options.selection.scenes);
+  drop_repeated(options.names);
+  const std::vector<std::size_t> chosen = check(options);
   // A limit on the size of files is reported as an error of writing instead of ending the program.
   std::signal(SIGXFSZ, SIG_IGN);
   std::optional<tbb::global_control> limit;
@@ -104,14 +102,12 @@ int run_experiments(const RunOptions& options) {
   const ExperimentContext context(options.selection, options.out, recorder);
   const auto run_start = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    const Experiment& experiment = *chosen[i];
+    const Experiment& experiment = *all_experiments()[chosen[i]];
+    const std::string name(experiment.name), question(experiment.question);
     const auto start = std::chrono::steady_clock::now();
-    fmt::print(stderr, "[{}/{}] {}: {}\n", i + 1, chosen.size(), experiment.name,
-               experiment.question);
-    const std::string name(experiment.name);
-    recorder->begin({name, std::string(experiment.question), run_command(options.selection, name),
-                     "", 0, false},
-                    &experiment - all_experiments().data());
+    fmt::print(stderr, "[{}/{}] {}: {}\n", i + 1, chosen.size(), name, question);
+    recorder->begin({name, question, run_command(options.selection, name), "", 0, false},
+                    static_cast<std::int64_t>(chosen[i]));
     experiment.run(context);
     recorder->finish(seconds_since(start));
     fmt::print(stderr, "[{}/{}] {}: done in {:.0f} s{}\n", i + 1, chosen.size(), name,
@@ -122,14 +118,22 @@ int run_experiments(const RunOptions& options) {
   return kExitOk;
 }
 
-void add_run_options(CLI::App& command, RunOptions& options) {
+}  // namespace
+
+void add_run_command(CLI::App& app, Action& action) {
+  const auto [command, options] = add_command(
+      app, action, run_experiments, "run", "Run experiments; write tables and pictures",
+      R"(Tables are printed and written as Markdown, CSV and LaTeX, plots as SVG, PDF and PNG, pictures
+as PNG and EXR, and everything into DIR/results.sqlite, piece by piece: a run that was
+interrupted is finished by the same command with --resume. See `clipscope table` and
+`clipscope diff`.)");
   command.add_option("experiment", options.names,
                      "Names of experiments (see `clipscope list experiments`) [all]");
   add_scene_options(command, options.selection);
   add_contestant_options(command, options.selection);
   command.add_flag("--pictures", options.selection.pictures,
                    "hard_cases: also a picture (SVG) of every case that a clipper fails on");
-  command.add_option("--out", options.out, "Folder for the results [results]")->type_name("DIR");
+  add_option(command, "--out", options.out, "DIR", "Folder for the results [results]");
   command.add_flag("--resume", options.resume,
                    "Go on with the run that was interrupted in --out; takes the same options");
   command
@@ -140,23 +144,4 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   add_json_option(command, options.selection);
 }
 
-}  // namespace
-
-void add_run_command(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("run", "Run experiments; write tables and pictures");
-  command->footer(
-      "Tables are printed and written as Markdown, CSV and LaTeX, plots as SVG, PDF and PNG, "
-      "pictures\n"
-      "as PNG and EXR, and everything into DIR/results.sqlite, piece by piece: a run that was\n"
-      "interrupted is finished by the same command with --resume. See `clipscope table` and\n"
-      "`clipscope diff`.");
-  const auto options = std::make_shared<RunOptions>();
-  add_run_options(*command, *options);
-  command->callback([&action, options] {
-    drop_repeated(options->selection.scenes);
-    drop_repeated(options->names);
-    action = [options] { return run_experiments(*options); };
-  });
-}
-
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::commands

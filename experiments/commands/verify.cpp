@@ -1,32 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// clipscope verify: does a clipper keep its promise on every triangle of scenes, of the catalogue of hard
-// cases, or of both?
-#include <fmt/format.h>
+// clipscope verify: does a clipper keep its promise on every triangle of scenes, of the catalogue
+// of hard cases, or of both?
 #include <tbb/parallel_for.h>
 
-#include <CLI/CLI.hpp>
-#include <memory>
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "experiments/catalogue/catalogue.hpp"
-#include "experiments/catalogue/families.hpp"
-#include "experiments/commands/commands.hpp"
-#include "experiments/commands/selection.hpp"
-#include "experiments/errors.hpp"
-#include "experiments/hard_cases/judge.hpp"
-#include "experiments/hex_float.hpp"
-#include "experiments/measure/batches.hpp"
-#include "experiments/measure/bit_promise.hpp"
-#include "experiments/measure/promise.hpp"
-#include "experiments/report/progress.hpp"
-#include "experiments/report/replay_text.hpp"
-#include "experiments/report/table.hpp"
+#include "experiments/commands/options.hpp"
+#include "experiments/judge/promise.hpp"
+#include "experiments/machine/progress.hpp"
+#include "experiments/selection/replay_text.hpp"
+#include "experiments/survey/verdicts.hpp"
+#include "experiments/table/hex_float.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::commands {
 namespace {
-
-constexpr std::size_t kChunk = 1024;  // triangles
 
 struct VerifyOptions {
   Selection selection;
@@ -42,83 +33,64 @@ struct Offender {
   std::string input, output;  // hex floats
 };
 
-struct VerifyResult {
+struct Verified {
   std::size_t triangles = 0, outside_domain = 0, broken = 0;
   double largest_ulps = 0;
   std::optional<Offender> worst;
+
+  // Whether it is the worst that is broken so far.
+  bool add(const PromiseCheck& check) {
+    ++triangles;
+    outside_domain += check.verdict == PromiseVerdict::outside_domain;
+    largest_ulps = std::max(largest_ulps, check.ulps);
+    if (check.verdict != PromiseVerdict::broken) return false;
+    ++broken;
+    return !worst || check.ulps > worst->check.ulps;
+  }
 };
 
-template <class T>
-std::string hex_polygon(std::span<const NdcVertex<T, kSceneAttributes>> polygon) {
+// A line per vertex: its first so many numbers.
+std::string hex_polygon(const PolygonView& polygon, std::size_t numbers) {
   std::string text;
-  for (const auto& v : polygon) {
+  for (const VertexView& v : polygon) {
     text += "   ";
-    for (int i = 0; i < 4; ++i) text += " " + hex_float(nearest_double(v.position[i]));
-    for (int k = 0; k < kSceneAttributes; ++k)
-      text += " " + hex_float(nearest_double(v.attributes[k]));
+    for (std::size_t i = 0; i < numbers; ++i) text += " " + hex_float(v[i].value);
     text += '\n';
   }
   return text.empty() ? "    nothing\n" : text;
 }
 
-bool is_worse(const PromiseCheck& a, const std::optional<Offender>& b) {
-  return !b || a.ulps > b->check.ulps;
-}
-
-template <class T>
-void verify_chunk(const Contestant<T>& contestant, const PromiseChecker& checker,
-                  const Scene& scene, const View& view, const Sample& sample, std::size_t first,
-                  std::size_t count, VerifyResult& result) {
-  const std::vector<SceneTriangle> triangles =
-      sampled_view_triangles(scene, view, sample, first, count);
-  PolygonStream<T, kSceneAttributes> polygons;
-  contestant.view(projection_of<T>(view), simplices_cast<T>(triangles), polygons);
-  const Frustum<double> frustum = frustum_cast<double>(view.frustum);
-  const ClipVolume volume{.depth = frustum.depth};
-  std::vector<PromiseCheck> checks(count);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-    checks[i] = checker.check<T, kSceneAttributes>(
-        contestant.promise, reference::input_triangle(triangles[i]), polygons[i]);
-    break_by_bits(checks[i],
-                  broken_bits<T>(contestant, frustum, volume,
-                                 with_run_time_attributes(simplex_cast<T>(triangles[i]))));
+// The triangles are those of the sample from number `first` on; they are `stride` apart.
+void verify_triangles(const Contestant& contestant, const std::string& scene, const View& view,
+                      const std::vector<SceneTriangle>& triangles, std::size_t first,
+                      std::size_t stride, Verified& verified) {
+  const PromiseChecker checker(frustum_cast<double>(view.frustum));
+  const Answers answers = clip(contestant, batch_of(view, triangles));
+  std::vector<PromiseCheck> checks(triangles.size());
+  tbb::parallel_for(std::size_t{0}, checks.size(), [&](std::size_t i) {
+    checks[i] =
+        checker.check(contestant.promise, reference::input_triangle(triangles[i]), answers[i]);
+    break_by_bits(checks[i], broken_bits(contestant, batch_of(view, std::span(&triangles[i], 1))));
   });
-  for (std::size_t i = 0; i < count; ++i) {
-    const PromiseCheck& check = checks[i];
-    ++result.triangles;
-    result.outside_domain += check.verdict == PromiseVerdict::outside_domain;
-    result.largest_ulps = std::max(result.largest_ulps, check.ulps);
-    if (check.verdict != PromiseVerdict::broken) continue;
-    ++result.broken;
-    if (is_worse(check, result.worst)) {
-      result.worst =
-          Offender{check,
-                   scene.name,
-                   view.label,
-                   (first + i) * sample.stride,
-                   fmt::format("{}\n    {}", frustum_options(view.frustum), hex_line(triangles[i])),
-                   hex_polygon<T>(polygons[i])};
-    }
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    if (!verified.add(checks[i])) continue;
+    const std::string input = frustum_options(view.frustum) + "\n    " + hex_line(triangles[i]);
+    verified.worst = {checks[i],  scene,
+                      view.label, (first + i) * stride,
+                      input,      hex_polygon(answers[i], answers.stride())};
   }
 }
 
-VerifyResult verify_scene(const AnyContestant& contestant, const Scene& scene, std::size_t limit) {
-  VerifyResult result;
-  const Sample sample = sample_of(scene, limit);
-  Progress progress(fmt::format("verify {}", scene.name), sample.count * scene.views.size());
+void verify_scene(const Contestant& contestant, const Scene& scene, std::size_t limit,
+                  Verified& verified) {
+  const Spacing spacing = spacing_of(scene, limit);
+  Progress progress(fmt::format("verify {}", scene.name), spacing.count * scene.views.size());
   for (const View& view : scene.views) {
-    const PromiseChecker checker(frustum_cast<double>(view.frustum));
-    for (std::size_t first = 0; first < sample.count; first += kChunk) {
-      const std::size_t count = std::min(kChunk, sample.count - first);
-      std::visit(
-          [&](const auto* c) {
-            verify_chunk(*c, checker, scene, view, sample, first, count, result);
-          },
-          contestant);
-      progress.advance(count);
-    }
+    for_each_chunk(scene, view, spacing, [&](const auto& triangles, std::size_t first) {
+      verify_triangles(contestant, scene.name, view, triangles, first, spacing.stride, verified);
+      progress.advance(triangles.size());
+    });
   }
-  return result;
 }
 
 std::string hex_case(const HardCase& c) {
@@ -127,136 +99,103 @@ std::string hex_case(const HardCase& c) {
          hex_line(c.vertices, is_view ? 3 : 4, c.attribute_count);
 }
 
-std::string hex_answer(const CaseAnswer& answer) {
-  std::string text;
-  for (const std::array<double, 4>& p : answer.polygon) {
-    text += fmt::format("    {} {} {} {}\n", hex_float(p[0]), hex_float(p[1]), hex_float(p[2]),
-                        hex_float(p[3]));
-  }
-  return text.empty() ? "    nothing\n" : text;
+void verify_case(const Contestant& contestant, const HardCase& hard_case, Verified& verified) {
+  const PromiseCheck check = check_case(contestant, hard_case);
+  if (!verified.add(check)) return;
+  verified.worst = {
+      check, "catalogue",         hard_case.name,
+      0,     hex_case(hard_case), hex_polygon(clip_case(contestant, hard_case)[0], 4)};
 }
 
-void verify_case(const CaseContestant& contestant, const HardCase& hard_case,
-                 VerifyResult& result) {
-  const PromiseCheck check = contestant.keeps_promise(hard_case);
-  ++result.triangles;
-  result.outside_domain += check.verdict == PromiseVerdict::outside_domain;
-  result.largest_ulps = std::max(result.largest_ulps, check.ulps);
-  if (check.verdict != PromiseVerdict::broken) return;
-  ++result.broken;
-  if (is_worse(check, result.worst)) {
-    result.worst =
-        Offender{check, "catalogue",         hard_case.name,
-                 0,     hex_case(hard_case), hex_answer(contestant.polygon_of(hard_case))};
-  }
-}
-
-// All triangles of the catalogue and of the families around them, in view space and clip space.
-VerifyResult verify_catalogue(const AnyContestant& any, const std::vector<HardCase>& catalogue) {
-  const std::vector<CaseContestant> contestants =
-      case_contestants(Primitive::triangle, clipper_name(any), {std::string(scalar_name(any))});
-  VerifyResult result;
+// Judges all triangles of the catalogue and of the families around them, in both spaces.
+void verify_catalogue(const Contestant& contestant, const std::vector<HardCase>& catalogue,
+                      Verified& verified) {
   Progress progress("verify the catalogue", catalogue.size());
   for (const HardCase& original : catalogue) {
     progress.advance();
     if (original.primitive != Primitive::triangle) continue;
-    verify_case(contestants.front(), original, result);
+    verify_case(contestant, original, verified);
     for (auto&& variants : {family(original), special_values(original)}) {
-      for (const CaseVariant& variant : variants) {
-        if (is_finite(variant)) verify_case(contestants.front(), variant.hard_case, result);
+      for (const HardCase& variant : variants) {
+        if (is_finite(variant)) verify_case(contestant, variant, verified);
       }
     }
   }
-  return result;
 }
 
-void merge(const VerifyResult& part, VerifyResult& whole) {
-  whole.triangles += part.triangles;
-  whole.outside_domain += part.outside_domain;
-  whole.broken += part.broken;
-  whole.largest_ulps = std::max(whole.largest_ulps, part.largest_ulps);
-  if (part.worst && is_worse(part.worst->check, whole.worst)) whole.worst = part.worst;
-}
-
-nlohmann::json to_json(const AnyContestant& contestant, const VerifyResult& result) {
-  nlohmann::json json = {{"clipper", clipper_name(contestant)},
-                         {"scalar", scalar_name(contestant)},
-                         {"triangles", result.triangles},
-                         {"outside_domain", result.outside_domain},
-                         {"broken", result.broken},
-                         {"kept", result.broken == 0}};
-  json["largest_backward_error_ulp"] = std::isfinite(result.largest_ulps)
-                                           ? nlohmann::json(result.largest_ulps)
+nlohmann::json to_json(const Contestant& contestant, const Verified& verified) {
+  nlohmann::json json = {
+      {"clipper", contestant.clipper},   {"scalar", contestant.scalar()},
+      {"triangles", verified.triangles}, {"outside_domain", verified.outside_domain},
+      {"broken", verified.broken},       {"kept", verified.broken == 0}};
+  json["largest_backward_error_ulp"] = std::isfinite(verified.largest_ulps)
+                                           ? nlohmann::json(verified.largest_ulps)
                                            : nlohmann::json("inf");
-  if (result.worst) {
-    json["worst"] = {{"scene", result.worst->scene},       {"view", result.worst->view},
-                     {"triangle", result.worst->triangle}, {"reason", result.worst->check.reason},
-                     {"input", result.worst->input},       {"output", result.worst->output}};
+  if (verified.worst) {
+    const Offender& worst = *verified.worst;
+    json["worst"] = {{"scene", worst.scene},       {"view", worst.view},
+                     {"triangle", worst.triangle}, {"reason", worst.check.reason},
+                     {"input", worst.input},       {"output", worst.output}};
   }
   return json;
 }
 
-void print(const AnyContestant& contestant, const VerifyResult& result) {
-  fmt::print("{} {}: promise {} on {} triangles", clipper_name(contestant), scalar_name(contestant),
-             result.broken == 0 ? "kept" : "BROKEN", result.triangles - result.outside_domain);
-  if (result.outside_domain > 0)
-    fmt::print(" ({} more are outside its domain)", result.outside_domain);
-  fmt::print("\nlargest backward error: {:.3g} of the promise's unit\n", result.largest_ulps);
-  if (!result.worst) return;
-  const Offender& worst = *result.worst;
+void print(const Contestant& contestant, const Verified& verified) {
+  fmt::print("{} {}: promise {} on {} triangles", contestant.clipper, contestant.scalar(),
+             verified.broken == 0 ? "kept" : "BROKEN",
+             verified.triangles - verified.outside_domain);
+  if (verified.outside_domain > 0) {
+    fmt::print(" ({} more are outside its domain)", verified.outside_domain);
+  }
+  fmt::print("\nlargest backward error: {:.3g} of the promise's unit\n", verified.largest_ulps);
+  if (!verified.worst) return;
+  const Offender& worst = *verified.worst;
   fmt::print("broken on {} triangles; the worst: scene {}, view {}, triangle {}\n  {}\n",
-             result.broken, worst.scene, worst.view, worst.triangle, worst.check.reason);
+             verified.broken, worst.scene, worst.view, worst.triangle, worst.check.reason);
   fmt::print(
-      "  input (three vertices: coordinates, then attributes):\n    {}\n  output (x y z 1/w, "
-      "attributes):\n{}",
+      "  input (three vertices: coordinates, then attributes):\n    {}\n  output (x y z 1/w, attributes):\n{}",
       worst.input, worst.output);
 }
 
 int verify(const VerifyOptions& options) {
   const Selection& selection = options.selection;
-  const AnyContestant contestant = find_contestant(selection.clipper, options.scalar);
-  VerifyResult result;
+  const Contestant& contestant = find_contestant(selection.clipper, options.scalar);
+  Verified verified;
   const bool cases = options.catalogue || options.corpus;
   if (cases) {
-    merge(verify_catalogue(contestant,
-                           options.corpus ? load_catalogue(*options.corpus) : builtin_catalogue()),
-          result);
+    verify_catalogue(contestant,
+                     options.corpus ? load_catalogue(*options.corpus) : builtin_catalogue(),
+                     verified);
   }
   if (!cases || !selection.scenes.empty()) {
     for (const std::string& name : scene_names(selection)) {
-      merge(verify_scene(contestant, load_selected_scene(selection, name), selection.sample),
-            result);
+      verify_scene(contestant, load_selected_scene(selection, name), selection.sample, verified);
     }
   }
   if (selection.json) {
-    fmt::print("{}\n", to_json(contestant, result).dump(2));
+    fmt::print("{}\n", to_json(contestant, verified).dump(2));
   } else {
-    print(contestant, result);
+    print(contestant, verified);
   }
-  return result.broken == 0 ? kExitOk : kExitPromiseBroken;
+  return verified.broken == 0 ? kExitOk : kExitPromiseBroken;
 }
 
 }  // namespace
 
 void add_verify_command(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand(
-      "verify", "Check a clipper's promises on every triangle of scenes or of the hard cases");
-  command->footer(
-      "Exit code 0: the promise holds on every triangle; 1: it is broken, and the worst "
-      "offender is\nprinted as hex floats. `clipscope list clippers` shows the promises.");
-  const auto options = std::make_shared<VerifyOptions>();
-  command->add_option("--clipper", options->selection.clipper, "Name of a clipper")
-      ->type_name("NAME")
-      ->required();
-  command->add_option("--scalar", options->scalar, "Scalar to compute in [float]");
-  command->add_flag("--catalogue", options->catalogue,
-                    "The hard cases and their families, in view space and clip space, instead of "
-                    "scenes (or besides those named)");
-  command->add_option("--corpus", options->corpus, "The same with hard cases of your own")
-      ->type_name("FILE|DIR");
-  add_scene_options(*command, options->selection);
-  add_json_option(*command, options->selection);
-  command->callback([&action, options] { action = [options] { return verify(*options); }; });
+  const auto [command, options] = add_command(
+      app, action, verify, "verify",
+      "Check a clipper's promises on every triangle of scenes or of the hard cases",
+      R"(Exit code 0: the promise holds on every triangle; 1: it is broken, and the worst offender is
+printed as hex floats. `clipscope list clippers` shows the promises.)");
+  add_contestant_options(command, options.selection.clipper, options.scalar);
+  command.add_flag(
+      "--catalogue", options.catalogue,
+      "The hard cases and their families, in view space and clip space, instead of scenes (or besides those named)");
+  add_option(command, "--corpus", options.corpus, "FILE|DIR",
+             "The same with hard cases of your own");
+  add_scene_options(command, options.selection);
+  add_json_option(command, options.selection);
 }
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::commands

@@ -1,117 +1,84 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Contestants: every clipper in every scalar, behind batch function pointers.
+// Contestants: every clipper in every scalar, under every contract, as one thing.
 //
-// What runs behind a pointer was compiled for one clipper, one scalar and one attribute count; only
-// the call of a batch is indirect, so that timing sees the clipper alone.
+// A contestant prepares its input once: numbers are rounded to its scalar, matrices computed. What
+// runs then was compiled for one clipper, one scalar and one number of attributes; only the call of
+// a block is indirect, so that timing sees the clipper alone. Answers come out erased
+// (answers.hpp).
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
-#include "experiments/contestants/scalars.hpp"
-#include "experiments/scenes/scene.hpp"
+#include "experiments/contestants/answers.hpp"
+#include "experiments/contestants/batch.hpp"
+#include "experiments/contestants/contract.hpp"
+#include "experiments/contestants/stage_input.hpp"
 #include "spaces/clipper.hpp"
 
 namespace clipscope::experiments {
 
-// Polygons one after the other. Cleared and filled again, it keeps its memory and, for exact types, that
-// of its numbers.
-template <Scalar T, int K>
-class PolygonStream {
+// A contestant with its input. For one thread at a time: it keeps its answers.
+class Runner {
  public:
-  void clear() {
-    used_ = 0;
-    ends_.clear();
-  }
-  void append(const NdcPolygon<T, K>& polygon) {
-    if (vertices_.size() < used_ + kMaxPolygonVertices) {
-      vertices_.resize(2 * vertices_.size() + kMaxPolygonVertices);
-    }
-    std::copy(polygon.begin(), polygon.end(), vertices_.data() + used_);
-    used_ += static_cast<std::size_t>(polygon.size());
-    ends_.push_back(used_);
-  }
-  // Many polygons at once, from their vertices one after the other: polygon i, of `polygons`, ends before
-  // vertex end_of(i). It is called for each in turn.
-  template <class EndOf>
-  void append(std::span<const NdcVertex<T, K>> vertices, std::size_t polygons, EndOf&& end_of) {
-    if (vertices_.size() < used_ + vertices.size()) {
-      vertices_.resize(2 * (used_ + vertices.size()));
-    }
-    std::copy(vertices.begin(), vertices.end(), vertices_.data() + used_);
-    for (std::size_t i = 0; i < polygons; ++i) ends_.push_back(used_ + end_of(i));
-    used_ += vertices.size();
-  }
-  std::size_t size() const { return ends_.size(); }
-  std::span<const NdcVertex<T, K>> operator[](std::size_t i) const {
-    const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
-    return {vertices_.data() + begin, ends_[i] - begin};
-  }
-
- private:
-  std::vector<NdcVertex<T, K>> vertices_;
-  std::vector<std::size_t> ends_;  // polygon i has the vertices [ends[i - 1], ends[i])
-  std::size_t used_ = 0;
+  virtual ~Runner() = default;
+  // Clips primitives [first, first + count) of a batch; what the last call left is gone.
+  virtual void clip(std::size_t batch, std::size_t first, std::size_t count) = 0;
+  // What the last call left: a polygon for each primitive. In the stage an inside triangle that is
+  // listed by its number is its polygon.
+  virtual Answers answers() const = 0;
+  // The numbers listed and the polygons written, in a stage: bytes of the last call's answer.
+  virtual std::size_t bytes_written() const { return 0; }
+  // In a stage, what is wrong with the form of the answer: numbers that do not ascend, say. Else
+  // empty.
+  virtual std::string malformed() const { return ""; }
 };
 
-// A clipper of points (N = 1), segments (2) or triangles (3) in one scalar.
-template <Scalar T, std::size_t N = 3>
+// What a contestant promises of its polygons in a stage, in clip space.
+enum class StagePromise : std::uint8_t {
+  float_chain,       // within kChainUlps of float (spaces/clipper.hpp)
+  rounded_once,      // within one rounding to float of the exact answer, but for errors of double
+  bits_of_scalar,    // the bits of homogeneous/sutherland_hodgman in float before its divide
+  correctly_rounded  // every float the one nearest to the exact value, the vertices exactly right
+};
+
 struct Contestant {
-  static constexpr int K = kSceneAttributes;
-  template <Space S>
-  using Input = Simplex<S, T, K, N>;
-  template <Space S>
-  using InputOne = Simplex<S, T, kRunTime, N>;
+  std::string_view clipper = {}, summary = {}, source = {};
+  const Format* format = nullptr;     // what it computes in; a stage answers in float
+  std::string_view build = "scalar";  // a batch clipper's "plain" or "simd"
+  Contract contract = Contract::full;
+  int vertices = 3;  // of the primitives that it takes; 0: polygons
+  Promise promise = {};
+  StagePromise stage_promise = StagePromise::float_chain;
+  bool takes_clip_space = false;
 
-  std::string_view name, summary, source;
-  Promise promise;
+  // Contracts full and cut alone. Pre-condition: the contestant takes the batches, which outlive
+  // the runner.
+  std::function<std::unique_ptr<Runner>(std::span<const Batch>)> prepare = {};
+  // Stages alone. Pre-condition: the input has the contract's layout, and outlives the runner.
+  std::function<std::unique_ptr<Runner>(const StageInput&)> prepare_stage = {};
 
-  // Clips every primitive and appends one polygon, maybe empty, for each. `clip` is null for a clipper
-  // that does not start at clip coordinates.
-  void (*view)(const Projection<T>&, std::span<const Input<Space::view>>, PolygonStream<T, K>&);
-  void (*clip)(const ClipVolume&, std::span<const Input<Space::clip>>, PolygonStream<T, K>&);
-
-  // The same for one primitive with an attribute count known at run time.
-  void (*view_one)(const Projection<T>&, const InputOne<Space::view>&, NdcPolygon<T, kRunTime>&);
-  void (*clip_one)(const ClipVolume&, const InputOne<Space::clip>&, NdcPolygon<T, kRunTime>&);
+  std::string_view scalar() const { return format->name; }
+  // Whether it can be asked to clip the batch: its space, its kind of primitive, the volume's
+  // options.
+  bool takes(const Batch& batch) const;
 };
 
-// All clippers of primitives with N vertices that there are in one scalar, in the order of
-// spaces/clippers.hpp.
-template <Scalar T, std::size_t N = 3>
-std::span<const Contestant<T, N>> contestants();
+using Contestants = std::vector<const Contestant*>;
 
-// A contestant in any scalar.
-template <std::size_t N>
-using AnyContestantOf = std::variant<const Contestant<float, N>*, const Contestant<double, N>*,
-                                     const Contestant<dd_real, N>*, const Contestant<Exact, N>*,
-                                     const Contestant<Counted, N>*>;
-using AnyContestant = AnyContestantOf<3>;
+// All there are: by scalar, primitive and contract, clippers in the order of spaces/clippers.hpp.
+std::span<const Contestant> all_contestants();
 
-template <std::size_t N = 3>
-std::string_view clipper_name(const AnyContestantOf<N>& contestant) {
-  return std::visit([](const auto* c) { return c->name; }, contestant);
-}
+// The answers to all primitives of a batch. Pre-condition: the contestant takes it.
+Answers clip(const Contestant& contestant, const Batch& batch);
 
-template <std::size_t N = 3>
-std::string_view scalar_name(const AnyContestantOf<N>& contestant);
-
-// The contestants whose clipper matches the shell pattern (`*`, `?`; a name without them also stands
-// for the clippers of which it is the folder or the method) and whose scalar is in the list, by clipper,
-// then scalar; a clipper that there is not in a scalar is left out. Throws UsageError naming the
-// option, what was given and what there is.
-template <std::size_t N = 3>
-std::vector<AnyContestantOf<N>> select_contestants(std::string_view clipper_pattern,
-                                                   const std::vector<std::string>& scalars);
-
-// The one contestant of that name. Throws UsageError if none or several match.
-template <std::size_t N = 3>
-AnyContestantOf<N> find_contestant(std::string_view clipper, std::string_view scalar);
+// "homogeneous/sutherland_hodgman float", in a stage with build and contract.
+std::string name_of(const Contestant& contestant);
 
 }  // namespace clipscope::experiments

@@ -23,70 +23,43 @@ using Counted = Counting<float>;
 
 using AllScalars = TypeList<float, double, dd_real, Exact, Counted>;
 
-// name         as selected by --scalar
-// precision    significant bits of the format; 0 for exact arithmetic
-// min_exponent of the smallest normal number, as std::ilogb gives it
+// What a format must be known by where its type is not: of a contestant, of its answers.
+struct Format {
+  std::string_view name;     // as selected by --scalar
+  std::string_view summary;  // one line
+  int precision = 0;         // significant bits; 0 for exact arithmetic
+  int min_exponent = 0;      // of the smallest normal number, as std::ilogb gives it
+
+  bool is_exact() const { return precision == 0; }
+  bool is_float() const { return precision == 24; }  // its numbers are floats
+  // Half of the distance from 1 to the next number: 2^-precision; 0 for exact arithmetic.
+  double unit_roundoff() const;
+  // One unit in the last place at |x|; 0 for exact arithmetic. Below the smallest normal number it
+  // is that of the subnormals.
+  double ulp_at(double x) const;
+  // The largest finite number.
+  double largest() const;
+  // The smallest positive number; 0 for exact arithmetic.
+  double smallest() const;
+};
+
 template <class T>
-struct ScalarTraits;
-
+inline constexpr Format kFormat;
 template <>
-struct ScalarTraits<float> {
-  static constexpr std::string_view name = "float";
-  static constexpr std::string_view summary = "IEEE binary32, each operation rounded to nearest";
-  static constexpr int precision = 24;
-  static constexpr int min_exponent = -126;
-};
-
+inline constexpr Format kFormat<float>{"float", "IEEE binary32, each operation rounded to nearest",
+                                       24, -126};
 template <>
-struct ScalarTraits<double> {
-  static constexpr std::string_view name = "double";
-  static constexpr std::string_view summary = "IEEE binary64, each operation rounded to nearest";
-  static constexpr int precision = 53;
-  static constexpr int min_exponent = -1022;
-};
-
+inline constexpr Format kFormat<double>{
+    "double", "IEEE binary64, each operation rounded to nearest", 53, -1022};
 template <>
-struct ScalarTraits<dd_real> {
-  static constexpr std::string_view name = "double_double";
-  static constexpr std::string_view summary = "unevaluated sum of two doubles (QD), about 104 bits";
-  static constexpr int precision = 104;
-  static constexpr int min_exponent = -1022 + 53;
-};
-
+inline constexpr Format kFormat<dd_real>{
+    "double_double", "unevaluated sum of two doubles (QD), about 104 bits", 104, -1022 + 53};
 template <>
-struct ScalarTraits<Exact> {
-  static constexpr std::string_view name = "exact";
-  static constexpr std::string_view summary = "rational numbers (mpq_class of GMP), no rounding";
-  static constexpr int precision = 0;
-  static constexpr int min_exponent = 0;
-};
-
+inline constexpr Format kFormat<Exact>{"exact", "rational numbers (mpq_class of GMP), no rounding",
+                                       0, 0};
 template <>
-struct ScalarTraits<Counted> {
-  static constexpr std::string_view name = "counting";
-  static constexpr std::string_view summary = "float that tallies its operations by kind";
-  static constexpr int precision = 24;
-  static constexpr int min_exponent = -126;
-};
-
-// The scalar's unit roundoff u: 2^-precision; 0 for exact arithmetic.
-template <class T>
-double unit_roundoff() {
-  return ScalarTraits<T>::precision == 0 ? 0.0 : std::ldexp(1.0, -ScalarTraits<T>::precision);
-}
-
-// One unit in the last place of the scalar's format at |x|; 0 for exact arithmetic. Below the
-// smallest normal number it is that of the subnormals.
-template <class T>
-double ulp_at(double x) {
-  if constexpr (ScalarTraits<T>::precision == 0) {
-    return 0.0;
-  } else {
-    const int lowest = ScalarTraits<T>::min_exponent;
-    const int exponent = x == 0.0 ? lowest : std::max(std::ilogb(x), lowest);
-    return std::ldexp(1.0, exponent - ScalarTraits<T>::precision + 1);
-  }
-}
+inline constexpr Format kFormat<Counted>{"counting", "float that tallies its operations by kind",
+                                         24, -126};
 
 // The nearest value of T to a double (the same value wherever T can hold it).
 template <class T>
@@ -98,8 +71,8 @@ T scalar_from(double value) {
   }
 }
 
-// The projection of a frustum whose numbers are given as doubles: they are converted to T (exactly where T
-// can hold them), then the matrix is computed in T.
+// The projection of a frustum whose numbers are given as doubles: they are converted to T (exactly
+// where T can hold them), then the matrix is computed in T.
 template <class T>
 Projection<T> projection_from(const Frustum<double>& f) {
   return Projection<T>(Frustum<T>{
@@ -136,5 +109,15 @@ inline Exact to_exact(double x) { return Exact(x); }
 inline Exact to_exact(const dd_real& x) { return Exact(Exact(x.x[0]) + Exact(x.x[1])); }
 inline Exact to_exact(const Exact& x) { return x; }
 inline Exact to_exact(const Counted& x) { return Exact(x.value()); }
+
+// Calls f.template operator()<T>() for the scalar of the format.
+template <class F>
+decltype(auto) with_scalar(const Format& format, F&& f) {
+  if (&format == &kFormat<float>) return f.template operator()<float>();
+  if (&format == &kFormat<double>) return f.template operator()<double>();
+  if (&format == &kFormat<dd_real>) return f.template operator()<dd_real>();
+  if (&format == &kFormat<Counted>) return f.template operator()<Counted>();
+  return f.template operator()<Exact>();
+}
 
 }  // namespace clipscope::experiments

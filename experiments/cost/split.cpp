@@ -1,188 +1,224 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/cost/split.hpp"
+//
+// Where a clipper's time goes: transform, cut, divide.
+//
+// Three runs side by side, on the same triangles in the same rounds, each doing one step more:
+//
+//   view space   cut | cut and transform | all
+//   clip space   transform | transform and cut | all
+//   CVV          transform | transform and divide | all
+//
+// The transform alone is the three positions of every triangle to clip space (no attributes);
+// transform and divide likewise. A run up to a cut is the clipper's own `cut`. A part's time is the
+// difference of two runs of the same round. What a run leaves is checked before it is timed:
+// finished by the steps that it leaves out, it has the bits of the clipper's answer.
+// Does not guarantee: that the parts are what the whole would spend. A processor overlaps one step
+// with the next, which a run of the first alone can't; a part may then come out too small, even
+// negative. The near cut of cvv/near_first is counted to the cut, though it comes before the
+// divide. Clippers whose cut and divide are one pass (barycentric) or that do not cut (whole) have
+// no split, nor have homogeneous/pipeline and homogeneous/blinn_newell, of which the compiler makes
+// slower code without the divide.
+#include "experiments/cost/rows.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <chrono>
-#include <functional>
-#include <memory>
-#include <optional>
 
-#include "experiments/contestants/contestants_of.hpp"
-#include "experiments/measure/batches.hpp"
-#include "experiments/measure/staged.hpp"
+#include "experiments/contestants/typed.hpp"
+#include "experiments/selection/select.hpp"
+#include "experiments/survey/contest_clock.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::cost {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-using Task = std::function<double()>;
+constexpr std::size_t kChecked = 64;  // triangles of each view
 
-constexpr std::size_t kBlock = 1024;  // triangles whose output stays in cache
+constexpr std::array<std::string_view, 4> kClippers = {
+    "textbook", "view/sutherland_hodgman", "homogeneous/sutherland_hodgman", "cvv/near_first"};
 
-enum class Order { view_space, clip_space, cvv };
+template <class T>
+using Block = std::span<const ViewTriangle<T, kSceneAttributes>>;
+template <class T>
+using Positions = std::vector<ClipTriangle<T, 0>>;
+template <class T>
+using ClipPolygons = PolygonStream<T, kSceneAttributes, Space::clip>;
 
-// The batches in one scalar, U: T or a staged T.
-template <class U>
-struct StagedInput {
-  std::vector<Projection<U>> projections;
-  std::vector<std::vector<ViewTriangle<U, kSceneAttributes>>> triangles;
-
-  explicit StagedInput(std::span<const TimedBatch> batches) {
-    for (const TimedBatch& batch : batches) {
-      projections.push_back(projection_of<U>(batch.view));
-      triangles.push_back(simplices_cast<U>(batch.triangles));
+// Positions alone, to clip space or on to NDC.
+template <class T, bool kDivide>
+void transform(const Projection<T>& projection, Block<T> block, Positions<T>& out) {
+  out.resize(block.size());
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    for (std::size_t v = 0; v < 3; ++v) {
+      const Vec4<T> clip = to_clip(projection, block[i][v].position);
+      out[i][v].position = kDivide ? to_ndc(clip) : clip;
     }
   }
+}
+
+template <class T>
+void cut_and_transform(const Projection<T>& projection, Block<T> block, ClipPolygons<T>& out) {
+  ClipPolygon<T, kSceneAttributes> polygon;
+  out.clear();
+  for (const auto& triangle : block) {
+    polygon.clear();
+    for (const auto& v : ViewSutherlandHodgman::cut(projection, triangle)) {
+      polygon.push_back(to_clip(projection, v));
+    }
+    out.append(polygon);
+  }
+}
+
+// A run of steps that are not a contestant's. Its answers are positions alone.
+template <class T, class Out>
+class StepRunner final : public Runner {
+ public:
+  using Steps = void (*)(const Projection<T>&, Block<T>, Out&);
+
+  StepRunner(Steps steps, std::span<const Batch> batches) : steps_(steps) {
+    for (const Batch& batch : batches) {
+      projections_.push_back(projection_in<T>(batch));
+      triangles_.push_back(simplices_in<Space::view, T, kSceneAttributes, 3>(batch));
+    }
+  }
+  void clip(std::size_t batch, std::size_t first, std::size_t count) override {
+    steps_(projections_[batch], Block<T>(triangles_[batch]).subspan(first, count), out_);
+  }
+  Answers answers() const override {
+    Answers answers(kFormat<T>, 4);
+    for (std::size_t i = 0; i < out_.size(); ++i) {
+      for (const auto& v : out_[i]) {
+        for (int c = 0; c < 4; ++c) answers.add(v.position[c]);
+      }
+      answers.end_polygon();
+    }
+    return answers;
+  }
+
+ private:
+  Steps steps_;
+  std::vector<Projection<T>> projections_;
+  std::vector<std::vector<ViewTriangle<T, kSceneAttributes>>> triangles_;
+  Out out_;
 };
 
-// Calls step(projection, block of triangles) for all of them; ns per triangle.
-template <class U, class Step>
-double run_blocks(const StagedInput<U>& input, Step&& step) {
-  std::size_t count = 0;
-  const Clock::time_point start = Clock::now();
-  for (std::size_t b = 0; b < input.triangles.size(); ++b) {
-    const std::span all(input.triangles[b]);
-    for (std::size_t first = 0; first < all.size(); first += kBlock) {
-      step(input.projections[b], all.subspan(first, std::min(kBlock, all.size() - first)));
-    }
-    count += all.size();
-  }
-  const std::chrono::duration<double, std::nano> passed = Clock::now() - start;
-  return passed.count() / static_cast<double>(count);
+template <class T, class Out>
+Contestant contestant_of(void (*steps)(const Projection<T>&, Block<T>, Out&)) {
+  return {.prepare = [=](std::span<const Batch> batches) -> std::unique_ptr<Runner> {
+    return std::make_unique<StepRunner<T, Out>>(steps, batches);
+  }};
 }
 
-// The whole of a clipper in a scalar, or what a staged scalar leaves of it.
-template <class C, class U>
-Task clipper_task(std::span<const TimedBatch> batches) {
-  auto input = std::make_shared<StagedInput<U>>(batches);
-  auto out = std::make_shared<PolygonStream<U, kSceneAttributes>>();
-  return [input, out] {
-    return run_blocks(*input, [&](const auto& projection, const auto& block) {
-      out->clear();
-      clip_batch<C>(projection, block, *out);
-    });
-  };
-}
-
-// Positions to clip space, or on to NDC.
-template <class T, bool kDivide>
-Task transform_task(std::span<const TimedBatch> batches) {
-  auto input = std::make_shared<StagedInput<T>>(batches);
-  auto out = std::make_shared<std::vector<std::array<Vec4<T>, 3>>>(kBlock);
-  return [input, out] {
-    return run_blocks(*input, [&](const auto& projection, const auto& block) {
-      for (std::size_t i = 0; i < block.size(); ++i) {
-        for (std::size_t v = 0; v < 3; ++v) {
-          const Vec4<T> clip = to_clip(projection, block[i][v].position);
-          if constexpr (kDivide) {
-            (*out)[i][v] = clipscope::to_ndc(clip);
-          } else {
-            (*out)[i][v] = clip;
-          }
-        }
-      }
-    });
-  };
-}
-
-template <class C>
-constexpr Order order_of() {
-  if (C::name.starts_with("view/")) return Order::view_space;
-  return C::name.starts_with("cvv/") ? Order::cvv : Order::clip_space;
-}
-
-// Parts in the order in which the clipper does them, and runs that each do one more.
+// A clipper's parts in its own order, and the runs up to the first and up to the second.
 struct Steps {
   std::array<std::string_view, 3> parts;
-  std::array<Task, 3> tasks;
+  std::array<Contestant, 2> runs;
+
+  bool does(std::size_t run, std::string_view part) const {
+    return parts[0] == part || (run == 1 && parts[1] == part);
+  }
 };
 
-template <class C, class T>
-Steps steps_of(std::span<const TimedBatch> batches) {
-  const Task whole = clipper_task<C, T>(batches);
-  if constexpr (order_of<C>() == Order::view_space) {
-    return {{"cut", "transform", "divide"},
-            {clipper_task<C, Staged<T, Skip::transform_and_divide>>(batches),
-             clipper_task<C, Staged<T, Skip::divide>>(batches), whole}};
-  } else if constexpr (order_of<C>() == Order::cvv) {
-    return {{"transform", "divide", "cut"},
-            {transform_task<T, false>(batches), transform_task<T, true>(batches), whole}};
-  } else {
-    return {{"transform", "cut", "divide"},
-            {transform_task<T, false>(batches), clipper_task<C, Staged<T, Skip::divide>>(batches),
-             whole}};
+template <class T>
+Steps steps_of(const Contestant& whole) {
+  const Contestant transformed = contestant_of(transform<T, false>);
+  if (whole.clipper.starts_with("cvv/")) {
+    return {{"transform", "divide", "cut"}, {transformed, contestant_of(transform<T, true>)}};
   }
-}
-
-using ClippersWithSteps =
-    TypeList<Textbook, ViewSutherlandHodgman, HomogeneousSutherlandHodgman, CvvNearFirst>;
-using SplitScalars = TypeList<float, double>;
-
-struct SplitTask {
-  Split split;
-  Steps steps;
-};
-
-bool is_timed(std::string_view clipper, std::string_view scalar,
-              std::span<const AnyContestant> contestants, std::span<const Timing> timings) {
-  for (std::size_t i = 0; i < contestants.size(); ++i) {
-    if (clipper_name(contestants[i]) == clipper && scalar_name(contestants[i]) == scalar) {
-      return timings[i].refused.empty();
-    }
+  const Contestant& cut = *find_in_contract(whole.clipper, whole.scalar(), Contract::cut);
+  if (whole.clipper.starts_with("view/")) {
+    return {{"cut", "transform", "divide"}, {cut, contestant_of(cut_and_transform<T>)}};
   }
-  return false;
+  return {{"transform", "cut", "divide"}, {transformed, cut}};
 }
 
-std::vector<SplitTask> split_tasks(std::span<const TimedBatch> batches,
-                                   std::span<const AnyContestant> contestants,
-                                   std::span<const Timing> timings) {
-  std::vector<SplitTask> tasks;
-  for_each_type(ClippersWithSteps{}, [&]<class C>() {
-    for_each_type(SplitScalars{}, [&]<class T>() {
-      const std::string_view scalar = ScalarTraits<T>::name;
-      if (!is_timed(C::name, scalar, contestants, timings)) return;
-      tasks.push_back({{std::string(C::name), std::string(scalar), {}}, steps_of<C, T>(batches)});
-    });
-  });
-  return tasks;
+// Between what a run leaves, finished by the other steps, and the clipper's answer. Without a cut
+// the two have only triangles inside in common.
+template <class T>
+std::string first_difference(const Steps& steps, std::size_t run, const Contestant& whole,
+                             const SampledView& view) {
+  const Projection<T> projection(frustum_cast<T>(view.view.frustum));
+  const std::size_t count = std::min(kChecked, view.triangles.size());
+  const Batch batch = batch_of(view.view, std::span(view.triangles).first(count));
+  const Answers found = clip(steps.runs[run], batch), expected = clip(whole, batch);
+  const auto is_same = [&](const VertexView& u, const VertexView& v) {
+    Vec4<T> p(u[0].value, u[1].value, u[2].value, u[3].value);
+    if (!steps.does(run, "transform")) p = to_clip(projection, Vec3<T>(p));
+    if (!steps.does(run, "divide")) p = to_ndc(p);
+    return p == Vec4<T>(v[0].value, v[1].value, v[2].value, v[3].value);
+  };
+  const auto is_outside = [&](const auto& vertex) {
+    const Vec4<T> p = to_clip(projection, Vec3<T>(vertex.position));
+    return clip_outcode(projection.volume.depth, p) != 0;
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool crosses = std::ranges::any_of(view.triangles[i], is_outside);
+    if (crosses && !steps.does(run, "cut")) continue;
+    if (std::ranges::equal(found[i], expected[i], is_same)) continue;
+    return fmt::format("triangle {}: a step leaves other bits than the clipper", i);
+  }
+  return "";
 }
 
-SplitPart part_of(std::string_view name, std::vector<double> ns, std::span<const double> whole) {
-  std::vector<double> shares = ratios(ns, whole);
-  for (double& share : shares) share *= 100;
-  return {name, median_interval(ns), median_interval(shares), std::move(ns)};
+// Each over all triangles.
+template <class T>
+std::vector<Timing> time_runs(const Steps& steps, const Contestant& whole,
+                              std::span<const SampledView> views, int rounds) {
+  const std::vector<Batch> batches = batches_of(views);
+  std::vector<Task> tasks = {contest_task(steps.runs[0], batches, 0),
+                             contest_task(steps.runs[1], batches, 0),
+                             contest_task(whole, batches, kChecked)};
+  for (const std::size_t run : {0u, 1u}) {
+    tasks[run].check = [&, run] {
+      std::string difference;
+      for (const SampledView& view : views) {
+        if (difference.empty()) difference = first_difference<T>(steps, run, whole, view);
+      }
+      return difference;
+    };
+  }
+  for (Task& task : tasks) task.least_share = 1;
+  return time_in_turn(tasks, {.rounds = rounds});
 }
 
 // What the later run takes more, round by round.
-std::vector<double> differences(std::span<const double> later, std::span<const double> earlier) {
-  std::vector<double> result(later.begin(), later.end());
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] -= earlier[i];
+std::vector<double> difference(const Timing& later, const Timing& earlier) {
+  std::vector<double> result = later.samples_ns;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] -= earlier.samples_ns[i];
   return result;
+}
+
+// The parts of one clipper, if no run is refused.
+template <class T>
+void add_split(const Row& whole, std::span<const SampledView> views, int rounds,
+               TableOf<SplitRow>& table, PieceRecord& record) {
+  const Contestant& contestant = find_contestant(whole.clipper, whole.scalar);
+  const Steps steps = steps_of<T>(contestant);
+  const std::vector<Timing> runs = time_runs<T>(steps, contestant, views, rounds);
+  if (!std::ranges::all_of(runs, &Timing::is_timed)) return;
+  const auto add = [&](std::string_view part, const std::vector<double>& ns) {
+    std::vector<double> shares = ratios(ns, runs[2].samples_ns);
+    for (double& share : shares) share *= 100;
+    table.add({whole.mix, whole.clipper, whole.scalar, std::string(part), median_interval(ns),
+               median_interval(shares)});
+    Timing timing;
+    timing.samples_ns = ns;
+    record.add(fmt::format("{} {} {} {}", whole.mix, whole.clipper, whole.scalar, part), timing);
+  };
+  add(steps.parts[0], runs[0].samples_ns);
+  add(steps.parts[1], difference(runs[1], runs[0]));
+  add(steps.parts[2], difference(runs[2], runs[1]));
+  add("whole", runs[2].samples_ns);
 }
 
 }  // namespace
 
-std::vector<Split> measure_split(std::span<const TimedBatch> batches,
-                                 std::span<const AnyContestant> contestants,
-                                 std::span<const Timing> timings, int rounds) {
-  std::vector<SplitTask> split = split_tasks(batches, contestants, timings);
-  std::vector<Task> tasks;
-  for (const SplitTask& s : split) {
-    tasks.insert(tasks.end(), s.steps.tasks.begin(), s.steps.tasks.end());
+void measure_split(std::span<const SampledView> views, const std::vector<Row>& times, int rounds,
+                   TableOf<SplitRow>& table, PieceRecord& record) {
+  for (const Row& row : times) {
+    if (!row.timing || std::ranges::count(kClippers, row.clipper) == 0) continue;
+    if (row.scalar == "float") add_split<float>(row, views, rounds, table, record);
+    if (row.scalar == "double") add_split<double>(row, views, rounds, table, record);
   }
-  for (const Task& task : tasks) task();  // memory is touched, caches are warm
-  const std::vector<std::vector<double>> samples = run_in_turn(tasks, rounds);
-  std::vector<Split> result;
-  for (std::size_t i = 0; i < split.size(); ++i) {
-    const auto &first = samples[3 * i], &second = samples[3 * i + 1], &whole = samples[3 * i + 2];
-    const auto& names = split[i].steps.parts;
-    split[i].split.parts = {
-        part_of(names[0], first, whole), part_of(names[1], differences(second, first), whole),
-        part_of(names[2], differences(whole, second), whole), part_of("whole", whole, whole)};
-    result.push_back(std::move(split[i].split));
-  }
-  return result;
 }
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::cost

@@ -1,27 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/cost/stage.hpp"
-
+//
+// The stage's part of cost: mixes x clippers x contracts, and how the time grows with the number of
+// triangles, of attributes, of planes that a triangle crosses, and with threads.
+//
+//   triangles   the first n of a game-like soup; beyond its size it streams through again and again
+//   attributes  game-like soups with so many floats beside the position
+//   planes      every triangle is cut by exactly n planes
+//   threads     a game-like soup in n parts, one per thread; wall time of all threads
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-#include "experiments/cost/stage_tables.hpp"
-#include "experiments/measure/machine.hpp"
-#include "experiments/report/progress.hpp"
-#include "experiments/scenes/families.hpp"
+#include "experiments/cost/rows.hpp"
+#include "experiments/machine/machine.hpp"
+#include "experiments/machine/progress.hpp"
+#include "experiments/scenes/builtin.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::cost {
 namespace {
 
-constexpr std::size_t kTriangles = 1'000'000, kQuickTriangles = 40'000;
-constexpr int kTerrainLevels = 9, kQuickTerrainLevels = 7;
+constexpr std::size_t kStageTriangles = 1'000'000, kQuickStageTriangles = 40'000;
 
-// An input of the stage, made when its cell is.
+// An input of the stage, made when its piece of work is.
 struct StageMix {
   std::string name;
-  StageContract contract;  // copy stands for both contracts of a soup
+  Contract contract;  // copy stands for both contracts of a soup
   std::function<StageInput()> make;
 };
 
@@ -32,7 +37,7 @@ StageInput usual_view(const Scene& scene) {
   double least = HUGE_VAL;
   for (const View& view : scene.views) {
     StageInput input = mesh_input(scene, view);
-    const double percent = shares_of(input, StageContract::indexed).straddling;
+    const double percent = shares_of(input, Contract::indexed).straddling;
     const double off = std::abs(std::log(std::max(percent, 1e-3) / kUsualPercent));
     if (off >= least) continue;
     least = off;
@@ -42,135 +47,94 @@ StageInput usual_view(const Scene& scene) {
   return best;
 }
 
-std::vector<StageMix> built_in_mixes(const Selection& selection) {
-  const std::size_t triangles = selection.quick ? kQuickTriangles : kTriangles;
+// Soups and a terrain as a mesh; each scene that was chosen comes as a soup and as a mesh.
+std::vector<StageMix> stage_mixes(const Selection& selection) {
+  const std::size_t triangles = selection.quick ? kQuickStageTriangles : kStageTriangles;
+  const int levels = selection.quick ? 7 : 9;  // of the terrain
+  std::vector<StageMix> mixes;
+  for (const std::string& name : selection.scenes) {
+    mixes.push_back({name, Contract::copy,
+                     [=] { return scene_input(load_selected_scene(selection, name), triangles); }});
+    mixes.push_back({name, Contract::indexed,
+                     [=] { return usual_view(load_selected_scene(selection, name)); }});
+  }
+  if (!mixes.empty()) return mixes;
   const auto soup = [&](std::string name, const SoupShares& shares) {
-    return StageMix{name, StageContract::copy, [=, seed = selection.seed] {
+    return StageMix{name, Contract::copy, [=, seed = selection.seed] {
                       return random_input(name, shares, triangles, kSceneAttributes, seed);
                     }};
   };
-  const int levels = selection.quick ? kQuickTerrainLevels : kTerrainLevels;
   return {soup("game_like", {.inside = 58, .outside = 37, .straddling = 5}),
           soup("straddling", {.straddling = 1}),
           soup("inside", {.inside = 1}),
           soup("outside", {.outside = 1}),
-          {"terrain", StageContract::indexed, [levels, seed = selection.seed] {
+          {"terrain", Contract::indexed, [levels, seed = selection.seed] {
              Scene scene = terrain_of_levels(levels, seed);
              scene.name = "terrain";
              return usual_view(scene);
            }}};
 }
 
-std::vector<StageMix> mixes(const Selection& selection) {
-  if (selection.scenes.empty()) return built_in_mixes(selection);
-  const std::size_t limit = selection.quick ? kQuickTriangles : kTriangles;
-  std::vector<StageMix> mixes;
-  for (const std::string& name : selection.scenes) {
-    mixes.push_back({name, StageContract::copy,
-                     [=] { return scene_input(load_selected_scene(selection, name), limit); }});
-    mixes.push_back({name, StageContract::indexed,
-                     [=] { return usual_view(load_selected_scene(selection, name)); }});
-  }
-  return mixes;
-}
-
-StageTimingOptions timing_options(const Selection& selection) {
-  if (!selection.quick) return {};
-  return {.rounds = 5, .milliseconds_per_run = 0.5, .check = {.triangles = 8192, .exact = 24}};
-}
-
 // The baseline, and those whose clipper is among the selected.
-StageContestants selected_for_stage(const StageInput& input, const Selection& selection) {
-  StageContestants contestants = stage_contestants(input);
-  const std::vector<AnyContestant> selected = select_contestants(selection.clipper, {"float"});
-  const auto is_left_out = [&](const std::unique_ptr<StageContestant>& c) {
-    return std::none_of(selected.begin(), selected.end(),
-                        [&](const AnyContestant& any) { return clipper_name(any) == c->method(); });
-  };
-  contestants.erase(std::remove_if(contestants.begin() + 1, contestants.end(), is_left_out),
-                    contestants.end());
+Contestants selected_for_stage(const StageInput& input, const Selection& selection) {
+  const Contestants selected = select_contestants(selection.clipper, {"float"});
+  Contestants contestants = stage_contestants(input);
+  std::erase_if(contestants, [&, baseline = contestants.front()](const Contestant* c) {
+    return c != baseline && !has_clipper(selected, c->clipper);
+  });
   return contestants;
-}
-
-void record_stage(const std::string& mix, const StageMeasurement& measured, CellRecord& record) {
-  constexpr const char* kUnit = "ns per triangle";
-  for (const StageTiming& t : measured.contestants) {
-    if (!t.timing.refused.empty()) continue;
-    record.samples.push_back(
-        {fmt::format("stage {} {} {} {} {}", mix, t.method, t.scalar, t.build, t.contract), kUnit,
-         t.timing.samples_ns});
-  }
-  for (const MemoryTiming& pass : measured.passes) {
-    record.samples.push_back(
-        {fmt::format("stage {} {}", mix, pass_name(pass.pass)), kUnit, pass.timing.samples_ns});
-  }
-}
-
-void run_growth(const ExperimentContext& context) {
-  const Selection& selection = context.selection();
-  Table growth = cost_growth_table();
-  GrowthOptions options{.seed = selection.seed, .timing = timing_options(selection)};
-  options.timing.rounds = std::min(options.timing.rounds, 15);
-  options.timing.check = {.triangles = 8192, .exact = selection.quick ? 8u : 64u};
-  if (selection.quick) {
-    options.soup = kQuickTriangles;
-    options.most = 100'000;
-    options.attribute_soup = 10'000;
-    options.crossing = 32;
-  }
-  for (const Growing growing : kGrowing) {
-    context.cell(
-        fmt::format("growth {}", growing_name(growing)), {&growth}, [&](CellRecord& record) {
-          const auto points = measure_growth(growing, options);
-          add_growth_rows(points, growth);
-          for (const GrowthPoint& p : points) {
-            if (!p.timing.refused.empty()) continue;
-            record.samples.push_back({fmt::format("growth {} {} {} {} {}", growing_name(growing),
-                                                  p.n, p.clipper, p.build, p.contract),
-                                      "ns per triangle", p.timing.samples_ns});
-          }
-        });
-  }
-  growth.add_note(machine_description());
-  context.emit(growth);
-  for (const Growing growing : kGrowing) {
-    const Plot plot = growth_plot(growth, growing);
-    if (!plot.series.empty()) context.emit(plot);
-  }
 }
 
 }  // namespace
 
+StageClock stage_clock(bool quick) {
+  if (!quick) return {};
+  return {.rounds = 5, .milliseconds_per_run = 0.5, .check = {.triangles = 8192, .exact = 24}};
+}
+
+void add_rows(const std::string& mix, const StageMeasurement& measured, TableOf<StageRow>& stage,
+              TableOf<RefusedRow>& refused, PieceRecord& record) {
+  for (const MemoryTiming& pass : measured.passes) {
+    stage.add(stage_row(mix, pass));
+    record.add(fmt::format("stage {} {}", mix, name_of(pass.pass)), pass.timing);
+  }
+  for (const StageTiming& t : measured.contestants) {
+    const StageRow row = stage_row(mix, t);
+    stage.add(row);
+    record.add(
+        fmt::format("stage {} {} {} {} {}", mix, row.clipper, row.scalar, row.build, row.contract),
+        t.timing);
+    if (t.timing.is_timed()) continue;
+    refused.add({mix, row.clipper, row.build, row.contract, t.timing.refused});
+  }
+}
+
 std::string run_stage(const ExperimentContext& context) {
   const Selection& selection = context.selection();
-  Table stage = cost_stage_table(), shares = cost_stage_mixes_table(),
-        refused = cost_stage_refused_table();
-  const std::vector<StageMix> all = mixes(selection);
-  Progress progress("cost of the stage", all.size());
-  for (const StageMix& mix : all) {
-    context.cell(fmt::format("stage {} {}", mix.name, contract_name(mix.contract)),
-                 {&stage, &shares, &refused}, [&](CellRecord& record) {
-                   const StageInput input = mix.make();
-                   const StageContestants contestants = selected_for_stage(input, selection);
-                   const StageMeasurement measured =
-                       measure_stage(input, contestants, timing_options(selection));
-                   add_mix_row(input, mix.contract, shares);
-                   add_stage_rows(input.name, measured, stage);
-                   add_stage_refused_rows(input.name, measured, refused);
-                   record_stage(input.name, measured, record);
-                 });
+  TableOf<MixRow> shares;
+  TableOf<StageRow> stage;
+  TableOf<RefusedRow> refused;
+  const std::vector<StageMix> mixes = stage_mixes(selection);
+  Progress progress("cost of the stage", mixes.size());
+  for (const StageMix& mix : mixes) {
+    const std::string cell = fmt::format("stage {} {}", mix.name, name_of(mix.contract));
+    context.piece(cell, {&stage, &shares, &refused}, [&](PieceRecord& record) {
+      const StageInput input = mix.make();
+      const StageMeasurement measured =
+          measure_stage(input, selected_for_stage(input, selection), stage_clock(selection.quick));
+      shares.add(mix_row(input, mix.contract));
+      add_rows(input.name, measured, stage, refused, record);
+    });
     progress.advance();
   }
   stage.add_note(fmt::format("SIMD: {}. {}", batch::target_name(), machine_description()));
-  context.emit(shares);
-  context.emit(stage);
+  context.emit(shares, stage);
   if (!refused.rows().empty()) context.emit(refused);
-  for (const StageContract contract : kStageContracts) {
-    const Plot plot = stage_plot(stage, contract);
+  for (const Contract contract : kStageContracts) {
+    const Plot plot = stage_plot(stage.rows(), contract);
     if (!plot.series.empty()) context.emit(plot);
   }
-  run_growth(context);
-  return stage_finding(stage);
+  return stage_finding(stage.rows());
 }
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::cost

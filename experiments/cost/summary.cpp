@@ -1,155 +1,199 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Plots and the finding, from the rows of the tables.
+#include "experiments/cost/rows.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <limits>
-#include <optional>
-#include <utility>
 
-#include "experiments/cost/tables.hpp"
-#include "experiments/report/row_view.hpp"
-
-namespace clipscope::experiments {
+namespace clipscope::experiments::cost {
 namespace {
 
 constexpr std::array<std::string_view, 5> kMainClippers = {
     "textbook", "view/sutherland_hodgman", "homogeneous/sutherland_hodgman", "cvv/near_first",
     "barycentric/distance_matrix"};
 constexpr std::string_view kClipSpace = "homogeneous/sutherland_hodgman";
+constexpr std::array<std::string_view, kGrowing.size()> kGrowingLabels = {
+    "triangles", "floats per vertex, position included", "planes that a triangle crosses",
+    "threads"};
 
-// The scalar that a plot shows.
-std::string plotted_scalar(const Table& table) {
-  const std::vector<std::string> scalars = distinct_texts(table, "scalar");
-  const bool has_float = std::find(scalars.begin(), scalars.end(), "float") != scalars.end();
-  return has_float || scalars.empty() ? "float" : scalars.front();
+// The scalar that a plot or finding speaks of.
+template <class R>
+std::string shown_scalar(const std::vector<R>& rows) {
+  const bool has_float = find_row(rows, &R::scalar, "float") != nullptr;
+  return has_float || rows.empty() ? "float" : rows.front().scalar;
 }
 
-using Conditions = std::vector<std::pair<std::string_view, std::string_view>>;
-
-// Of the first row that meets all conditions; nothing if there is none or its cell is empty.
-std::optional<double> find_number(const Table& table, const Conditions& conditions,
-                                  std::string_view key) {
-  for (const RowView& row : rows_of(table)) {
-    const bool meets = std::all_of(conditions.begin(), conditions.end(),
-                                   [&](const auto& c) { return row.text(c.first) == c.second; });
-    if (meets) return row.find_number(key);
-  }
-  return std::nullopt;
-}
-
-void add_bar(Series& series, const Table& table, const Conditions& conditions) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  series.y.push_back(find_number(table, conditions, "ns_per_triangle").value_or(kNone));
-  series.low.push_back(find_number(table, conditions, "ns_low").value_or(kNone));
-  series.high.push_back(find_number(table, conditions, "ns_high").value_or(kNone));
-}
-
-// The sum of a clipper's operations but comparisons.
-std::optional<double> arithmetic(const Table& operations, const std::string& mix,
-                                 std::string_view clipper) {
-  double sum = 0;
-  for (const char* kind : {"additions", "multiplications", "divisions"}) {
-    const auto count = find_number(operations, {{"mix", mix}, {"clipper", clipper}}, kind);
-    if (!count) return std::nullopt;
-    sum += *count;
-  }
-  return sum;
-}
-
-std::optional<double> ratio(const std::optional<double>& a, const std::optional<double>& b) {
-  if (!a || !b || *b == 0) return std::nullopt;
-  return *a / *b;
-}
-
-// "view/sutherland_hodgman takes 1.5 times the time, 1.2 times the operations and 1.0 times the divisions"
+// "view/sutherland_hodgman takes 1.5 times the time, 1.2 times the arithmetic"; empty without
+// figures.
 std::string against_clip_space(std::string_view clipper, const std::string& mix,
-                               const std::string& scalar, const Table& times,
-                               const Table& operations) {
-  const auto time = [&](std::string_view c) {
-    return find_number(times, {{"mix", mix}, {"clipper", c}, {"scalar", scalar}},
-                       "ns_per_triangle");
-  };
-  const auto divisions = [&](std::string_view c) {
-    return find_number(operations, {{"mix", mix}, {"clipper", c}}, "divisions");
-  };
-  const auto all = [&](std::string_view c) { return arithmetic(operations, mix, c); };
+                               const std::vector<Row>& times,
+                               const std::vector<OperationsRow>& operations) {
+  using Operations = OperationsRow;
   std::vector<std::string> parts;
-  const auto add = [&](const auto& of, std::string_view what) {
-    if (const auto times_as = ratio(of(clipper), of(kClipSpace))) {
-      parts.push_back(fmt::format("{:.2f} times the {}", *times_as, what));
-    }
+  const auto add = [&](const auto* row, const auto* clip_space, auto figure, const char* what) {
+    if (!row || !clip_space || std::invoke(figure, *clip_space) == 0) return;
+    const double ratio = std::invoke(figure, *row) / std::invoke(figure, *clip_space);
+    parts.push_back(fmt::format("{:.2f} times the {}", ratio, what));
   };
-  add(time, "time");
-  add(all, "arithmetic");
-  add(divisions, "divisions");
-  if (parts.empty()) return "";
-  return fmt::format("{} takes {}", clipper, fmt::join(parts, ", "));
+  const auto time = [&](std::string_view c) {
+    return find_row(times, &Row::mix, mix, &Row::clipper, c, &Row::scalar, shown_scalar(times),
+                    &Row::is_timed, true);
+  };
+  const auto counts = [&](std::string_view c) {
+    return find_row(operations, &Operations::mix, mix, &Operations::clipper, c);
+  };
+  add(
+      time(clipper), time(kClipSpace), [](const Row& r) { return r.timing->ns.median; }, "time");
+  add(counts(clipper), counts(kClipSpace), &Operations::arithmetic, "arithmetic");
+  add(counts(clipper), counts(kClipSpace), &Operations::divisions, "divisions");
+  return parts.empty() ? "" : fmt::format("{} takes {}", clipper, fmt::join(parts, ", "));
+}
+
+// The fastest of a contract, of any build; null if none was timed.
+const StageRow* fastest_row(const std::vector<StageRow>& stage, const std::string& mix,
+                            std::string_view contract) {
+  const StageRow* fastest = nullptr;
+  for (const StageRow& row : stage) {
+    if (row.mix != mix || row.contract != contract || !row.timing) continue;
+    if (!fastest || row.timing->ns.median < fastest->timing->ns.median) fastest = &row;
+  }
+  return fastest;
+}
+
+// "copy 12.3 x (homogeneous/batch, 10 ns; correctly rounded 1.05 times its time)"
+std::string contract_text(const std::vector<StageRow>& stage, const std::string& mix,
+                          std::string_view contract) {
+  using R = StageRow;
+  const R* fastest = fastest_row(stage, mix, contract);
+  if (fastest == nullptr || fastest->clipper == "textbook") return "";
+  std::string text =
+      fmt::format("{} {} x ({}, {} ns", contract, format_number(fastest->timing->speedup->median),
+                  fastest->clipper, format_number(fastest->timing->ns.median));
+  const R* rounded = find_row(stage, &R::mix, mix, &R::contract, contract, &R::clipper,
+                              "barycentric/correctly_rounded_batch", &R::is_shown, true);
+  if (rounded != nullptr) {
+    text +=
+        fmt::format("; correctly rounded {:.2f} times its time", rounded->times_fastest->median);
+  }
+  return text + ")";
 }
 
 }  // namespace
 
-Plot cost_plot(const Table& times) {
-  const std::string scalar = plotted_scalar(times);
-  Plot plot{.name = "cost",
-            .title = fmt::format("Time by mix of triangles, in {}", scalar),
-            .caption =
-                "One clipper of each space and the baseline, with 95 % intervals of the median: "
-                "view space in, NDC polygons with four attributes out.",
-            .x = {.label = "mix"},
-            .y = {.label = "time [ns per triangle]"},
-            .series = {},
-            .categories = distinct_texts(times, "mix")};
-  const std::vector<std::string> clippers = distinct_texts(times, "clipper");
+Plot time_plot(const std::vector<Row>& times) {
+  const std::string scalar = shown_scalar(times);
+  Plot plot{
+      .name = "cost",
+      .title = fmt::format("Time by mix of triangles, in {}", scalar),
+      .caption =
+          "One clipper of each space and the baseline, with 95 % intervals of the median: view space in, NDC polygons with four attributes out.",
+      .x = {.label = "mix"},
+      .y = {.label = "time [ns per triangle]"},
+      .categories = distinct(times, &Row::mix)};
+  const auto ns = [](const Row& row) {
+    return row.timing ? std::optional(row.timing->ns) : std::nullopt;
+  };
   for (const std::string_view clipper : kMainClippers) {
-    if (std::find(clippers.begin(), clippers.end(), clipper) == clippers.end()) continue;
-    Series series{.name = std::string(clipper), .x = {}, .y = {}, .muted = clipper == "textbook"};
-    for (const std::string& mix : plot.categories) {
-      add_bar(series, times, {{"mix", mix}, {"clipper", clipper}, {"scalar", scalar}});
-    }
-    plot.series.push_back(std::move(series));
+    if (find_row(times, &Row::clipper, clipper) == nullptr) continue;
+    add_bars(plot, clipper, times, ns, &Row::mix, &Row::clipper, clipper, &Row::scalar, scalar)
+        .muted = clipper == "textbook";
   }
   return plot;
 }
 
-Plot split_plot(const Table& split) {
-  const std::string scalar = plotted_scalar(split);
-  const std::string mix = rows_of(split).front().text("mix");
-  Plot plot{.name = "cost_split",
-            .title = fmt::format("Where the time goes on {}, in {}", mix, scalar),
-            .caption =
-                "The parts are differences of runs that do one step more each, with 95 % "
-                "intervals; steps overlap, so that a part may be hidden behind the others.",
-            .x = {.label = "clipper"},
-            .y = {.label = "time [ns per triangle]"},
-            .series = {},
-            .categories = distinct_texts(split, "clipper")};
+Plot split_plot(const std::vector<SplitRow>& split) {
+  using R = SplitRow;
+  const std::string scalar = shown_scalar(split), mix = split.front().mix;
+  Plot plot{
+      .name = "cost_split",
+      .title = fmt::format("Where the time goes on {}, in {}", mix, scalar),
+      .caption =
+          "The parts are differences of runs that do one step more each, with 95 % intervals; steps overlap, so that a part may be hidden behind the others.",
+      .x = {.label = "clipper"},
+      .y = {.label = "time [ns per triangle]"},
+      .categories = distinct(split, &R::clipper)};
   for (const char* part : {"transform", "cut", "divide"}) {
-    Series series{.name = part, .x = {}, .y = {}};
-    for (const std::string& clipper : plot.categories) {
-      add_bar(series, split,
-              {{"mix", mix}, {"clipper", clipper}, {"scalar", scalar}, {"part", part}});
-    }
-    plot.series.push_back(std::move(series));
+    add_bars(plot, part, split, &R::ns, &R::clipper, &R::mix, mix, &R::scalar, scalar, &R::part,
+             part);
   }
   return plot;
 }
 
-std::string cost_finding(const Table& times, const Table& operations) {
-  if (times.rows().empty()) return "nothing was timed";
-  const std::string mix = rows_of(times).front().text("mix");
-  const std::string scalar = plotted_scalar(times);
+Plot stage_plot(const std::vector<StageRow>& stage, Contract contract) {
+  using R = StageRow;
+  const std::string name(name_of(contract));
+  std::vector<R> rows = rows_where(stage, &R::contract, name, &R::is_shown, true);
+  std::erase_if(rows, [](const R& r) { return r.clipper == "textbook" || !r.timing->speedup; });
+  Plot plot{
+      .name = "cost_stage_" + name,
+      .title = fmt::format("The stage by {}: times faster than the textbook", name),
+      .caption =
+          "Clip-space triangles in, clip-space polygons out; ratios to the textbook in the same round, with 95 % intervals. Batch clippers in SIMD. Grey: what moving the same bytes takes, the limit of memory.",
+      .x = {.label = "mix"},
+      .y = {.label = "times faster than textbook"},
+      .categories = distinct(rows, &R::mix)};
+  if (rows.empty()) return plot;
+  for (const std::string& label : distinct(rows, &R::label)) {
+    const auto speedup = [](const R& row) { return row.timing->speedup; };
+    add_bars(plot, label, rows, speedup, &R::mix, &R::label, label);
+  }
+  const auto limit = [&](const R& row) {
+    const R& fastest = *fastest_row(stage, row.mix, name);
+    return 100 * fastest.timing->speedup->median / fastest.limit_percent->median;
+  };
+  add_bars(plot, "limit of memory", rows, limit, &R::mix).muted = true;
+  return plot;
+}
+
+Plot growth_plot(const std::vector<GrowthRow>& growth, Growing growing) {
+  const bool by_magnitude = growing == Growing::triangles || growing == Growing::attributes;
+  const std::string_view label = kGrowingLabels[static_cast<std::size_t>(growing)];
+  Plot plot{
+      .name = fmt::format("cost_growth_{}", name_of(growing)),
+      .title = fmt::format("Time per triangle by {}", name_of(growing)),
+      .caption =
+          "The stage: clip-space triangles in, clip-space polygons out, batch clippers in SIMD; medians with 95 % intervals.",
+      .x = {.label = std::string(label), .logarithmic = by_magnitude},
+      .y = {.label = "time [ns per triangle]", .logarithmic = true}};
+  for (const GrowthRow& row : rows_where(growth, &GrowthRow::grows, growing)) {
+    if (!row.ns) continue;
+    const std::string name = fmt::format("{} {}", row.clipper, name_of(row.contract));
+    auto series = std::ranges::find(plot.series, name, &Series::name);
+    if (series == plot.series.end()) {
+      series = plot.series.insert(series, {.name = name, .muted = row.clipper == "textbook"});
+    }
+    const double offset = growing == Growing::attributes ? 4 : 0;
+    series->add(static_cast<double>(row.n) + offset, *row.ns);
+  }
+  return plot;
+}
+
+std::string finding(const std::vector<Row>& times, const std::vector<OperationsRow>& operations) {
+  if (times.empty()) return "nothing was timed";
+  const std::string& mix = times.front().mix;
   std::vector<std::string> parts;
   for (const char* clipper : {"view/sutherland_hodgman", "cvv/near_first", "cvv/perspective"}) {
-    const std::string part = against_clip_space(clipper, mix, scalar, times, operations);
+    const std::string part = against_clip_space(clipper, mix, times, operations);
     if (!part.empty()) parts.push_back(part);
   }
   if (parts.empty()) return fmt::format("{} was not compared on {}", kClipSpace, mix);
-  return fmt::format("Against {} on {} in {}: {}.", kClipSpace, mix, scalar,
+  return fmt::format("Against {} on {} in {}: {}.", kClipSpace, mix, shown_scalar(times),
                      fmt::join(parts, "; "));
 }
 
-}  // namespace clipscope::experiments
+std::string stage_finding(const std::vector<StageRow>& stage) {
+  std::vector<std::string> sentences;
+  for (const std::string& mix : distinct(stage, &StageRow::mix)) {
+    std::vector<std::string> parts;
+    for (const Contract contract : kStageContracts) {
+      const std::string text = contract_text(stage, mix, name_of(contract));
+      if (!text.empty()) parts.push_back(text);
+    }
+    if (!parts.empty()) sentences.push_back(fmt::format("{}: {}", mix, fmt::join(parts, ", ")));
+  }
+  if (sentences.empty()) return "";
+  return fmt::format("The stage, times faster than textbook: {}.", fmt::join(sentences, ". "));
+}
+
+}  // namespace clipscope::experiments::cost

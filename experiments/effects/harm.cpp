@@ -1,37 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/effects/harm.hpp"
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
-#include "experiments/contestants/contestant.hpp"
+#include "experiments/contestants/polygon_stream.hpp"
+#include "experiments/effects/rows.hpp"
+#include "experiments/judge/cycle.hpp"
+#include "experiments/judge/promise.hpp"
 #include "spaces/effects/pipeline.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::effects {
 namespace {
 
-using Polygon4 = std::span<const NdcVertex<float, kSceneAttributes>>;
+using Polygon4 = NdcPolygon<float, kSceneAttributes>;
+using Vertices4 = std::span<const NdcVertex<float, kSceneAttributes>>;
+using Stream4 = PolygonStream<float, kSceneAttributes>;
 
-bool same_bits(float a, float b) {
-  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
-}
+constexpr std::size_t kChecked = 64;  // triangles of a view
 
-bool is_same(const EffectSet& effects, Polygon4 full, Polygon4 planned) {
-  if (full.size() != planned.size()) return false;
-  for (std::size_t i = 0; i < full.size(); ++i) {
-    const auto &a = full[i], &b = planned[i];
-    bool same = same_bits(a.position[0], b.position[0]) && same_bits(a.position[1], b.position[1]);
-    same = same && (!effects.depth() || same_bits(a.position[2], b.position[2]));
-    const bool has_w = effects.perspective() || !effects.divide();
-    same = same && (!has_w || same_bits(a.position[3], b.position[3]));
-    for (int k = 0; k < kSceneAttributes; ++k) {
-      same = same && same_bits(a.attributes[k], b.attributes[k]);
+// Whether all bits are the same but those of z and 1/w that the effects leave out.
+bool is_same(const EffectSet& effects, Vertices4 full, Vertices4 planned) {
+  const bool has_w = effects.perspective() || !effects.divide();
+  const std::array compared = {true, true, effects.depth(), has_w};
+  return std::ranges::equal(full, planned, [&](const auto& a, const auto& b) {
+    for (int i = 0; i < 4; ++i) {
+      const bool same = same_number(a.position[i], b.position[i], Likeness::by_bits);
+      if (compared[static_cast<std::size_t>(i)] && !same) return false;
     }
-    if (!same) return false;
-  }
-  return true;
+    return same_vertex(a.attributes.values, b.attributes.values, Likeness::by_bits);
+  });
 }
 
 using Barycentric = std::array<double, 3>;
@@ -56,7 +55,7 @@ double affine_error(const std::array<const NdcVertex<float, kSceneAttributes>*, 
   return worst;
 }
 
-double affine_error(Polygon4 polygon) {
+double affine_error(Vertices4 polygon) {
   constexpr int kGrid = 4;
   double worst = 0;
   for (std::size_t n = 2; n < polygon.size(); ++n) {
@@ -81,25 +80,58 @@ double affine_error(Polygon4 polygon) {
   return worst;
 }
 
+// What the full polygons of the first triangles break of their clipper's promise.
+std::string broken_promise(const PlannedView& view, const Stream4& full) {
+  const PromiseChecker checker(frustum_cast<double>(view.view.frustum));
+  for (std::size_t i = 0; i < std::min(kChecked, full.size()); ++i) {
+    Answers answer(kFormat<float>, 4 + kSceneAttributes);
+    add_polygon(full[i], answer);
+    const PromiseCheck check =
+        checker.check(HomogeneousSutherlandHodgman::promise,
+                      reference::input_triangle(view.triangles[i]), answer[0]);
+    if (check.verdict == PromiseVerdict::broken) return check.reason;
+  }
+  return "";
+}
+
 }  // namespace
 
-Harm harm_of(const Plan<float>& plan, std::span<const SceneTriangle> triangles) {
-  Harm harm;
-  const EffectSet& effects = plan.effects();
-  PolygonStream<float, kSceneAttributes> full, planned;
-  const auto into = [](auto& stream) {
-    return [&stream](const NdcPolygon<float, kSceneAttributes>& p) { stream.append(p); };
+Harm harm_of(const PlannedView& view) {
+  const EffectSet& effects = view.plan.effects();
+  Stream4 full, planned;
+  const auto into = [](Stream4& stream) {
+    return [&stream](const Polygon4& polygon) { stream.append(polygon); };
   };
-  clip_fully(plan.projection(), triangles, into(full));
-  clip_as_planned(plan, plan.revision(), triangles, into(planned));
-  harm.polygons = triangles.size();
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
+  const std::span<const SceneTriangle> triangles(view.triangles);
+  clip_fully(view.plan.projection(), triangles, into(full));
+  clip_as_planned(view.plan, view.plan.revision(), triangles, into(planned));
+  Harm harm{.polygons = triangles.size(), .broken = broken_promise(view, full)};
+  for (std::size_t i = 0; i < harm.polygons; ++i) {
     harm.changed += !is_same(effects, full[i], planned[i]);
-    if (!effects.perspective()) {
-      harm.attribute_error = std::max(harm.attribute_error, affine_error(full[i]));
-    }
+    if (effects.perspective()) continue;
+    harm.attribute_error = std::max(harm.attribute_error, affine_error(full[i]));
   }
   return harm;
 }
 
-}  // namespace clipscope::experiments
+Harm harm_of(std::span<const PlannedView> views) {
+  Harm all;
+  for (const PlannedView& view : views) all += harm_of(view);
+  return all;
+}
+
+Harm& Harm::operator+=(const Harm& other) {
+  polygons += other.polygons;
+  changed += other.changed;
+  attribute_error = std::max(attribute_error, other.attribute_error);
+  if (broken.empty()) broken = other.broken;
+  return *this;
+}
+
+std::string Harm::text(double tolerance) const {
+  if (!broken.empty() || (changed == 0 && attribute_error <= tolerance)) return broken;
+  return fmt::format("{} of {} polygons are changed, attributes by {} at most", changed, polygons,
+                     attribute_error);
+}
+
+}  // namespace clipscope::experiments::effects

@@ -4,104 +4,171 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "experiments/report/table.hpp"
+#include "experiments/report/outcode_text.hpp"
+#include "experiments/scenes/builtin.hpp"
+#include "experiments/scenes/camera.hpp"
+#include "spaces/homogeneous/sutherland_hodgman.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::effects {
 namespace {
 
-// Near first, as the planes cut.
-constexpr std::array<std::pair<Plane, const char*>, kPlanes> kPlaneEffects = {
-    {{Plane::near, "near plane"},
-     {Plane::far, "far plane"},
-     {Plane::left, "left side"},
-     {Plane::right, "right side"},
-     {Plane::bottom, "bottom side"},
-     {Plane::top, "top side"}}};
+constexpr std::size_t kRun = 1024;  // triangles of a big mesh that stay together
 
-PlanLine line(std::string effect, bool called_for, std::string because) {
-  return {std::move(effect), called_for ? "yes" : "no", std::move(because), called_for};
-}
-
-PlanLine plane_line(std::string effect, PlaneEffect what, const char* unused) {
-  static constexpr std::array<const char*, 4> kCalledFor = {"no", "test", "scissor", "cut"};
-  static constexpr std::array<const char*, 4> kBecause = {
-      "", "some triangles lie beyond, none crosses", "crossed, but within the guard band",
-      "some triangle may cross it"};
-  const auto i = static_cast<std::size_t>(what);
-  return {std::move(effect), kCalledFor[i], i == 0 ? unused : kBecause[i], static_cast<int>(i)};
-}
-
-const char* unused_plane(const ClipVolume& volume, Plane plane) {
-  const bool is_depth = plane == Plane::near || plane == Plane::far;
-  return volume.depth_clamp && is_depth ? "depth is clamped"
-                                        : "no vertex of what is left is outside";
-}
-
-PlanLine w_guard_line(const PlannedView& view) {
-  const bool is_clamped = view.plan.projection().volume.depth_clamp;
-  return line("w guard", view.plan.effects().w_guard(),
-              view.facts.has_bad_w() ? "some w may be 0, negative or not finite"
-              : is_clamped           ? "depth is clamped and may overflow"
-                                     : "w > 0 at every vertex of what is left");
-}
-
-PlanLine divide_line(const PlannedView& view) {
-  return line("divide by w", view.plan.effects().divide(),
-              view.facts.has_unit_w() ? "w = 1 at every vertex" : "perspective");
-}
-
-PlanLine perspective_line(const PlannedView& view, float tolerance) {
-  const double error = view.plan.affine_error();
-  const bool called_for = view.plan.effects().perspective();
-  std::string because;
-  if (view.facts.has_unit_w()) {
-    because = "w = 1 at every vertex";
-  } else if (view.facts.attributes().flat) {
-    because = "constant over each triangle";
-  } else if (!std::isfinite(error)) {
-    because = "w of some triangle reaches 0";
-  } else {
-    because = fmt::format("affine error up to {}, tolerance {}", format_number(error),
-                          format_number(tolerance));
+// 600 times as far away as the teapot is high, through a lens that just takes it in.
+Scene telephoto(const SceneOptions& options) {
+  Scene scene{"telephoto", "the teapot from afar", teapot_mesh(options.quick ? 5 : 10), {}};
+  const Box box = bounding_box(scene.mesh);
+  const double size = glm::length(box.size()), distance = 600 * box.size().y;
+  const double degrees = 57.3 * size / distance;
+  for (const auto& [label, direction] :
+       {std::pair{"front", glm::dvec3(0, 0.2, 1)}, std::pair{"side", glm::dvec3(1, 0.2, 0)}}) {
+    const glm::dvec3 eye = box.centre() + distance * glm::normalize(direction);
+    scene.views.push_back(
+        {label, look_at(eye, box.centre(), {0, 1, 0}),
+         perspective_frustum(degrees, 16.0 / 9.0, distance - size, distance + size)});
   }
-  return line("perspective correction", called_for, because);
+  return scene;
 }
 
-PlanLine interpolation_line(const PlannedView& view) {
-  const EffectSet& e = view.plan.effects();
-  const bool cuts = e.has_plane(PlaneEffect::cut);
-  return line("attributes of new vertices", e.interpolation(),
-              !cuts                          ? "no triangle is cut"
-              : view.facts.attributes().flat ? "constant over each triangle"
-                                             : "a cut makes vertices, and attributes vary");
+// 96 x 48 glyphs, two triangles each, that fill the window to its border.
+Scene overlay(const SceneOptions& options) {
+  Scene scene{"overlay", "glyphs over a window", {}, {}};
+  const int columns = options.quick ? 48 : 96, rows = columns / 2;
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      const double x = double(i) / columns * 16, y = double(j) / rows * 8;
+      const double right = double(i + 1) / columns * 16, top = double(j + 1) / rows * 8;
+      add_sheet(scene.mesh,
+                {.corners = {{{x, y, -1}, {right, y, -1}, {right, top, -1}, {x, top, -1}}}});
+    }
+  }
+  View& view = scene.views.emplace_back();
+  view.label = "window";
+  view.frustum = {ProjectionKind::parallel, 0, 16, 0, 8, 0, 2};  // from, to in x, y and depth
+  return scene;
+}
+
+// Three vertices of its own for each triangle, with the attributes of the first.
+Scene flat_terrain(const SceneOptions& options) {
+  Scene scene = make_builtin_scene("terrain", options);
+  scene.name = "flat_terrain";
+  scene.description = "the terrain with one colour per triangle";
+  Mesh flat;
+  for (const auto& triangle : scene.mesh.triangles) {
+    const auto first = static_cast<std::uint32_t>(flat.positions.size());
+    auto attributes = scene.mesh.attributes[triangle[0]];
+    for (float& a : attributes) a += 0.0f;  // no -0
+    for (const std::uint32_t corner : triangle) {
+      flat.positions.push_back(scene.mesh.positions[corner]);
+      flat.attributes.push_back(attributes);
+    }
+    flat.triangles.push_back({first, first + 1, first + 2});
+  }
+  scene.mesh = std::move(flat);
+  return scene;
+}
+
+std::vector<SceneTriangle> triangles_in_runs(const Scene& scene, const View& view,
+                                             std::size_t limit) {
+  const std::size_t all = scene.mesh.triangles.size();
+  const std::size_t count = limit == 0 ? all : std::min(all, limit);
+  std::vector<SceneTriangle> triangles(count);
+  const std::size_t runs = (count + kRun - 1) / kRun;
+  for (std::size_t run = 0; run < runs; ++run) {
+    const std::size_t begin = run * count / runs, end = (run + 1) * count / runs;
+    const std::size_t first = count == all ? begin : run * (all - (end - begin)) / runs;
+    view_triangles(scene, view, first, std::span(triangles).subspan(begin, end - begin));
+  }
+  return triangles;
+}
+
+PlanLine plane_line(const std::string& effect, PlaneEffect what, const char* unused) {
+  static constexpr std::array<std::pair<const char*, const char*>, 4> kTexts = {
+      {{"no", nullptr},
+       {"test", "some triangles lie beyond, none crosses"},
+       {"scissor", "crossed, but within the guard band"},
+       {"cut", "some triangle may cross it"}}};
+  const auto& [called_for, because] = kTexts[static_cast<std::size_t>(what)];
+  return {effect, called_for, because == nullptr ? unused : because, static_cast<int>(what)};
+}
+
+std::string perspective_reason(const PlannedView& view) {
+  const double error = view.plan.affine_error();
+  if (view.facts.has_unit_w()) return "w = 1 at every vertex";
+  if (view.facts.attributes().flat) return "constant over each triangle";
+  if (!std::isfinite(error)) return "w of some triangle reaches 0";
+  return fmt::format("affine error up to {}, tolerance {}", format_number(error),
+                     format_number(view.tolerance));
 }
 
 }  // namespace
 
+std::vector<std::string> needed_scene_names(const Selection& selection) {
+  std::vector<std::string> names = scene_names(selection);
+  if (selection.scenes.empty()) names.insert(names.end(), {"telephoto", "overlay", "flat_terrain"});
+  return names;
+}
+
+NeededScene load_needed_scene(const Selection& selection, const std::string& name) {
+  const SceneOptions options{.seed = selection.seed, .quick = selection.quick};
+  if (name == "telephoto") return {.scene = telephoto(options)};
+  if (name == "overlay") return {.scene = overlay(options), .depth = false};
+  if (name == "flat_terrain") return {.scene = flat_terrain(options)};
+  return {.scene = load_selected_scene(selection, name)};
+}
+
+std::vector<PlannedView> plan_views(const NeededScene& needed, const PlanSettings& settings,
+                                    std::size_t limit) {
+  std::vector<PlannedView> planned;
+  for (const View& view : needed.scene.views) {
+    std::vector<SceneTriangle> triangles = triangles_in_runs(needed.scene, view, limit);
+    const std::span<const SceneTriangle> all(triangles);
+    const SceneFacts<float> facts(Projection<float>(view.frustum), all, attribute_facts(all),
+                                  {.guard_band = settings.guard_band});
+    const Plan<float> plan(facts, {.tolerance = settings.tolerance, .depth = needed.depth});
+    planned.push_back({view, std::move(triangles), facts, plan, settings.tolerance});
+  }
+  return planned;
+}
+
 std::vector<PlanLine> plan_lines(const PlannedView& view) {
   const EffectSet& e = view.plan.effects();
+  const SceneFacts<float>& facts = view.facts;
   const ClipVolume& volume = view.plan.projection().volume;
   std::vector<PlanLine> lines;
-  for (const auto& [plane, name] : kPlaneEffects) {
-    lines.push_back(plane_line(name, e.plane(plane), unused_plane(volume, plane)));
+  for (const Plane plane : kPlaneOrder<PlaneOrder::near_first>) {
+    const bool is_depth = plane == Plane::near || plane == Plane::far;
+    lines.push_back(plane_line(plane_text(plane) + (is_depth ? " plane" : " side"), e.plane(plane),
+                               volume.depth_clamp && is_depth
+                                   ? "depth is clamped"
+                                   : "no vertex of what is left is outside"));
   }
   lines.push_back(
       plane_line("user planes", e.user_planes(),
                  volume.clip_distances == 0 ? "there is none" : "every clip distance is >= 0"));
-  lines.push_back(w_guard_line(view));
-  lines.push_back(divide_line(view));
-  lines.push_back(perspective_line(view, view.tolerance));
-  lines.push_back(line("depth", e.depth(), e.depth() ? "it is read" : "nobody reads it"));
-  lines.push_back(interpolation_line(view));
-  const LookOptions<float>& look = view.facts.options();
-  lines.push_back(line("segments", look.segments > 0,
-                       look.segments > 0 ? "the scene has some" : "the scene has none"));
-  lines.push_back(line("points", look.points > 0,
-                       look.points > 0 ? "the scene has some" : "the scene has none"));
+  const auto add = [&](const char* effect, bool called_for, std::string because) {
+    lines.push_back({effect, called_for ? "yes" : "no", std::move(because), called_for});
+  };
+  add("w guard", e.w_guard(),
+      facts.has_bad_w()    ? "some w may be 0, negative or not finite"
+      : volume.depth_clamp ? "depth is clamped and may overflow"
+                           : "w > 0 at every vertex of what is left");
+  add("divide by w", e.divide(), facts.has_unit_w() ? "w = 1 at every vertex" : "perspective");
+  add("perspective correction", e.perspective(), perspective_reason(view));
+  add("depth", e.depth(), e.depth() ? "it is read" : "nobody reads it");
+  add("attributes of new vertices", e.interpolation(),
+      !e.has_plane(PlaneEffect::cut) ? "no triangle is cut"
+      : facts.attributes().flat      ? "constant over each triangle"
+                                     : "a cut makes vertices, and attributes vary");
+  for (const auto& [name, count] : {std::pair{"segments", facts.options().segments},
+                                    std::pair{"points", facts.options().points}}) {
+    add(name, count > 0, count > 0 ? "the scene has some" : "the scene has none");
+  }
   return lines;
 }
 
@@ -126,23 +193,17 @@ std::vector<PlanLine> plan_lines(std::span<const PlannedView> views) {
 std::string called_for_in_short(std::span<const PlannedView> views) {
   EffectSet e = views.front().plan.effects();
   for (const PlannedView& view : views) e = e | view.plan.effects();
-  const auto is_used = [&](Plane p) { return e.plane(p) != PlaneEffect::none; };
+  const auto some = [&](auto... planes) { return ((e.plane(planes) != PlaneEffect::none) || ...); };
   std::vector<const char*> words;
-  const auto add = [&](bool called_for, const char* word) {
+  for (const auto& [called_for, word] :
+       {std::pair{some(Plane::near), "near"}, std::pair{some(Plane::far), "far"},
+        std::pair{some(Plane::left, Plane::right, Plane::bottom, Plane::top), "sides"},
+        std::pair{e.user_planes() != PlaneEffect::none, "user"}, std::pair{e.w_guard(), "w"},
+        std::pair{e.divide(), "divide"}, std::pair{e.perspective(), "1/w"},
+        std::pair{e.depth(), "z"}, std::pair{e.interpolation(), "attributes"}}) {
     if (called_for) words.push_back(word);
-  };
-  add(is_used(Plane::near), "near");
-  add(is_used(Plane::far), "far");
-  add(is_used(Plane::left) || is_used(Plane::right) || is_used(Plane::bottom) ||
-          is_used(Plane::top),
-      "sides");
-  add(e.user_planes() != PlaneEffect::none, "user");
-  add(e.w_guard(), "w");
-  add(e.divide(), "divide");
-  add(e.perspective(), "1/w");
-  add(e.depth(), "z");
-  add(e.interpolation(), "attributes");
+  }
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, " "));
 }
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::effects

@@ -1,125 +1,115 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Frontier: sets of triangles x clippers x scalars, judged and timed on the same triangles in the same
-// run; who is not beaten in both, and what the next step costs.
+// Frontier: sets of triangles x clippers x scalars, judged and timed on the same triangles in the
+// same run; who is not beaten in both, and what the next step costs.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
+#include "experiments/frontier/rows.hpp"
+#include "experiments/machine/machine.hpp"
+#include "experiments/report/experiment.hpp"
+#include "experiments/store/piece_record.hpp"
 
-#include "experiments/experiment.hpp"
-#include "experiments/frontier/contest.hpp"
-#include "experiments/frontier/plots.hpp"
-#include "experiments/frontier/rounding_stages.hpp"
-#include "experiments/frontier/tables.hpp"
-#include "experiments/measure/machine.hpp"
-#include "experiments/measure/worst_input.hpp"
-
-namespace clipscope::experiments {
+namespace clipscope::experiments::frontier {
 namespace {
 
 constexpr std::size_t kTriangles = 6000;  // per set, over all its views
 constexpr std::size_t kQuickTriangles = 300;
 
-// Game-like, all straddling, hard.
-std::vector<std::string> sets(const Selection& selection) {
-  if (!selection.scenes.empty()) return selection.scenes;
-  return {"soup", "soup_straddling", "slivers"};
-}
+struct Tables {
+  TableOf<Row> frontier;
+  TableOf<StepRow> steps;
+  TableOf<RefusedRow> refused;
+  TableOf<RoundingRow> rounding;
+
+  void add(const std::string& set, std::span<const Entry> entries, PieceRecord& record) {
+    add_rows(set, entries, frontier);
+    add_rows(set, entries, steps);
+    add_rows(set, entries, refused);
+    for (const Entry& e : entries) {
+      record.add(fmt::format("{} {} {} {}", set, name_of(e.contestant->contract),
+                             e.contestant->clipper, e.contestant->scalar()),
+                 e.timing);
+    }
+  }
+};
 
 std::size_t triangle_limit(const Selection& selection, const Scene& scene) {
   if (selection.sample != 0) return selection.sample * scene.views.size();
   return selection.quick ? kQuickTriangles : kTriangles;
 }
 
-void record_samples(const std::string& set, std::span<const Entry> entries, CellRecord& record) {
+void record_worst(const Selection& selection, const Scene& scene,
+                  std::span<const SampledView> views, std::span<const Entry> entries,
+                  PieceRecord& record) {
   for (const Entry& e : entries) {
-    if (!e.timing.refused.empty()) continue;
-    record.samples.push_back({fmt::format("{} {} {} {}", set, e.contract, e.clipper, e.scalar),
-                              "ns per triangle", e.timing.samples_ns});
-  }
-}
-
-// The stage's frontiers on the same triangles, in clip space by the float transform.
-void add_stage(const Selection& selection, const Scene& scene, const TimingOptions& timing,
-               std::array<Table*, 3> tables, CellRecord& record) {
-  const StageInput input = scene_input(scene, triangle_limit(selection, scene));
-  const StageTimingOptions options{.rounds = timing.rounds,
-                                   .milliseconds_per_run = timing.milliseconds_per_run,
-                                   .check = {.exact = timing.checked_triangles}};
-  const std::vector<AnyContestant> selected = selected_contestants(selection);
-  const auto is_selected = [&](std::string_view clipper) {
-    return std::any_of(selected.begin(), selected.end(), [&](const AnyContestant& contestant) {
-      return clipper_name(contestant) == clipper;
-    });
-  };
-  for (const std::vector<Entry>& entries : hold_stage_contest(input, is_selected, options)) {
-    add_frontier_rows(scene.name, entries, *tables[0]);
-    add_step_rows(scene.name, entries, *tables[1]);
-    add_refused_rows(scene.name, entries, *tables[2]);
-    record_samples(scene.name, entries, record);
-  }
-}
-
-void record_entries(const Selection& selection, const Scene& scene,
-                    std::span<const TimedBatch> batches, std::span<const AnyContestant> contestants,
-                    std::span<const Entry> entries, CellRecord& record) {
-  record_samples(scene.name, entries, record);
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const Entry& e = entries[i];
     if (!(e.accuracy.error_px.max() > 0)) continue;
-    const TimedBatch& batch = batches[e.accuracy.worst_batch];
+    const SampledView& v = views[e.accuracy.worst_view];
     const std::size_t triangle = e.accuracy.worst_triangle;
     record.worst_inputs.push_back(
-        worst_input(selection, scene, contestants[i],
-                    {batch.view, batch.triangles[triangle], batch.numbers[triangle],
-                     "distance on screen [px]", e.accuracy.error_px.max()}));
+        worst_input(selection, scene, *e.contestant,
+                    {v.view, v.triangles[triangle], v.numbers[triangle], "distance on screen [px]",
+                     e.accuracy.error_px.max()}));
   }
 }
 
-}  // namespace
-
-void run_frontier(const ExperimentContext& context) {
-  const Selection& selection = context.selection();
-  const std::vector<AnyContestant> contestants = selected_contestants(selection);
-  const TimingOptions options{.rounds = selection.quick ? 5 : 31,
-                              .milliseconds_per_run = selection.quick ? 0.3 : 2.0,
-                              .checked_triangles = selection.quick ? 24u : 256u};
-  Table frontier = frontier_table(), steps = frontier_steps_table(),
-        refused = frontier_refused_table(), rounding = rounding_stages_table();
-  for (const std::string& name : sets(selection)) {
-    context.cell("set " + name, {&frontier, &steps, &refused, &rounding}, [&](CellRecord& record) {
-      const Scene scene = load_selected_scene(selection, name);
-      const auto batches = timed_batches(scene, triangle_limit(selection, scene));
-      std::size_t triangles = 0;
-      for (const TimedBatch& batch : batches) triangles += batch.triangles.size();
-      Progress progress("frontier on " + scene.name, triangles * contestants.size());
-      const std::vector<Entry> entries = hold_contest(batches, contestants, options, progress);
-      add_frontier_rows(scene.name, entries, frontier);
-      add_step_rows(scene.name, entries, steps);
-      add_refused_rows(scene.name, entries, refused);
-      record_entries(selection, scene, batches, contestants, entries, record);
-      add_rounding_stage_rows(scene.name, batches, rounding);
-      add_stage(selection, scene, options, {&frontier, &steps, &refused}, record);
-    });
+void measure_set(const Selection& selection, const std::string& name,
+                 const Contestants& contestants, Tables& tables, PieceRecord& record) {
+  const Scene scene = load_selected_scene(selection, name);
+  const ContestClock clock = contest_clock(selection.quick);
+  const std::size_t limit = triangle_limit(selection, scene);
+  const auto views = sampled_views(scene, limit);
+  std::size_t triangles = 0;
+  for (const SampledView& v : views) triangles += v.triangles.size();
+  Progress progress("frontier on " + scene.name, triangles * contestants.size());
+  const std::vector<Entry> entries = hold_contest(views, contestants, clock, progress);
+  tables.add(scene.name, entries, record);
+  record_worst(selection, scene, views, entries, record);
+  add_rows(scene.name, views, tables.rounding);
+  // The stage's frontiers on the same triangles, in clip space by the float transform.
+  const StageClock stage_clock{.rounds = clock.rounds,
+                               .milliseconds_per_run = clock.milliseconds_per_run,
+                               .check = {.exact = clock.checked}};
+  for (const auto& stage :
+       hold_stage_contest(scene_input(scene, limit), contestants, stage_clock)) {
+    tables.add(scene.name, stage, record);
   }
-  frontier.add_note(machine_description());
-  steps.add_note(machine_description());
-  context.emit(frontier);
-  context.emit(steps);
-  context.emit(rounding);
-  if (!refused.rows().empty()) context.emit(refused);
-  for (const std::string& set : sets_of(frontier)) {
-    for (const ErrorMeasure measure : kErrorMeasures) {
-      context.emit(frontier_plot(set, measure, frontier));
-      if (measure == ErrorMeasure::wrong) continue;
-      for (const char* contract : {"copy", "reference"}) {
-        const Plot plot = frontier_plot(set, measure, frontier, contract);
+}
+
+void emit_plots(const ExperimentContext& context, const std::vector<Row>& rows) {
+  for (const std::string& set : distinct(rows, &Row::set)) {
+    for (const Measure measure : kMeasures) {
+      context.emit(frontier_plot(rows, {set, measure}));
+      if (measure == Measure::wrong) continue;
+      for (const Contract contract : {Contract::copy, Contract::number}) {
+        const Plot plot = frontier_plot(rows, {set, measure, contract});
         if (!plot.series.back().x.empty()) context.emit(plot);
       }
     }
   }
-  context.finding(frontier_finding(frontier, steps));
 }
 
-}  // namespace clipscope::experiments
+void run(const ExperimentContext& context) {
+  const Selection& selection = context.selection();
+  const Contestants contestants = selected_contestants(selection);
+  Tables tables;
+  auto& [frontier, steps, refused, rounding] = tables;
+  // Game-like, all straddling, hard.
+  for (const std::string& name : selection.scenes_or({"soup", "soup_straddling", "slivers"})) {
+    context.piece(
+        "set " + name, {&frontier, &steps, &refused, &rounding},
+        [&](PieceRecord& record) { measure_set(selection, name, contestants, tables, record); });
+  }
+  frontier.add_note(machine_description());
+  steps.add_note(machine_description());
+  context.emit(frontier, steps, rounding);
+  if (!refused.rows().empty()) context.emit(refused);
+  emit_plots(context, frontier.rows());
+  context.finding(finding(frontier.rows(), steps.rows()));
+}
+
+}  // namespace
+
+extern constinit const Experiment kExperiment{
+    "frontier", "What does accuracy cost in time: who is not beaten in both?", run};
+
+}  // namespace clipscope::experiments::frontier

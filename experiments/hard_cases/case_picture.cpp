@@ -8,13 +8,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/hard_cases/case_sketch.hpp"
-#include "experiments/report/table.hpp"
+#include "experiments/hard_cases/case_panels.hpp"
+#include "experiments/machine/files.hpp"
+#include "experiments/scenes/text_file.hpp"
+#include "experiments/survey/verdicts.hpp"
+#include "experiments/table/row.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::hard_cases {
 namespace {
 
-constexpr double kMargin = 24, kRow = 18;
+constexpr double kMargin = 24, kRow = 18, kLegendRow = kRow + 4;
 constexpr double kColumn = kSmallPanel + kTickRoom;
 constexpr double kWidth = kMargin + 2 * kColumn + kTickRoom + kLargePanel + kMargin;
 constexpr double kPanels = 2 * kSmallPanel + kUnderPanel;
@@ -22,37 +25,30 @@ constexpr double kNumber = 112;  // width of a column of the table
 constexpr std::size_t kMaxTableRows = 10, kMaxWhyLines = 3;
 constexpr Lettering kTitleText = {.size = 18, .bold = true};
 constexpr Lettering kText = {.size = 13};
-constexpr Lettering kTableText = {.size = 12};
+constexpr Lettering kTableText = {.size = 12}, kTableHead = {.size = 12, .bold = true};
 
 // ---- The title ----------------------------------------------------------------------------------
 
-std::string volume_text(const HardCase& c) {
-  std::string text = c.space == Space::view ? "view space" : "clip space";
-  switch (c.volume.depth) {
-    case DepthRange::minus_one_to_one: break;
-    case DepthRange::zero_to_one: text += ", depth 0 to 1"; break;
-    case DepthRange::reversed: text += ", depth reversed"; break;
-  }
-  if (c.volume.depth_clamp) text += ", depth clamp";
-  if (c.volume.clip_distances > 0) {
-    text += fmt::format(", {} clip distance{}", c.volume.clip_distances,
-                        c.volume.clip_distances == 1 ? "" : "s");
+std::string title_text(const HardCase& c) {
+  const ClipVolume& volume = c.volume;
+  std::string text = fmt::format("{}: a {} in {} space", c.name, to_string(c.primitive),
+                                 c.space == Space::view ? "view" : "clip");
+  if (volume.depth == DepthRange::zero_to_one) text += ", depth 0 to 1";
+  if (volume.depth == DepthRange::reversed) text += ", depth reversed";
+  if (volume.depth_clamp) text += ", depth clamp";
+  if (volume.clip_distances > 0) {
+    text += ", " + counted(volume.clip_distances, "clip distance", "clip distances");
   }
   return text;
 }
 
-std::string title_text(const CasePicture& p) {
-  return fmt::format("{}: a {} in {}", p.hard_case.name, to_string(p.hard_case.primitive),
-                     volume_text(p.hard_case));
-}
-
 // "textbook in float: visible; 4 vertices, exact 4; errors up to 0.02 px, 12 ulp".
 std::string verdict_text(const CasePicture& p) {
-  const Comparison& c = p.answer.comparison;
-  std::string text = fmt::format("{} in {}: {}", p.clipper, p.scalar, outcome_name(c.outcome));
+  const Comparison& c = p.comparison;
+  std::string text = fmt::format("{} in {}: {}", p.clipper, p.format.name, name_of(c.outcome));
   if (c.outcome == Outcome::not_applicable) return text;
-  const std::size_t found = p.answer.polygon.size(), exact = p.truth.exact.vertices.size();
-  text += fmt::format("; {} {}, exact {}", found, found == 1 ? "vertex" : "vertices", exact);
+  const std::size_t exact = p.truth.exact.vertices.size();
+  text += fmt::format("; {}, exact {}", counted(p.answer.size(), "vertex", "vertices"), exact);
   if (c.outcome <= Outcome::visible && exact > 0) {
     text += fmt::format("; errors up to {} px", short_number(c.position_px, 3));
     if (std::isfinite(c.position_ulp)) {
@@ -72,9 +68,8 @@ struct Heading {
 
 Heading heading_of(VectorPage& page, const CasePicture& p) {
   const double width = kWidth - 2 * kMargin;
-  Heading h{page.wrap(title_text(p), width, 1, kTitleText).front(),
-            page.wrap(p.hard_case.why, width, kMaxWhyLines, kText), verdict_text(p)};
-  if (p.hard_case.why.empty()) h.why.clear();
+  Heading h{page.wrap(title_text(p.hard_case), width, 1, kTitleText).front(), {}, verdict_text(p)};
+  if (!p.hard_case.why.empty()) h.why = page.wrap(p.hard_case.why, width, kMaxWhyLines, kText);
   return h;
 }
 
@@ -91,52 +86,51 @@ void draw_heading(VectorPage& page, const Heading& h) {
 
 // ---- The table of the vertices ------------------------------------------------------------------
 
-std::size_t table_rows(const CaseSketch& s) {
-  return std::min(s.geometry.input_clip.size(), kMaxTableRows);
-}
-
 // Enough digits to tell a float from its neighbours: "0.99999994".
 std::string full_number(double value) {
   const auto rounded = static_cast<float>(value);
   return rounded == value ? fmt::format("{}", rounded) : short_number(value, 9);
 }
 
-// The coordinates as given; of view space w too, since its sign matters.
-std::vector<std::string> table_row(const CaseSketch& s, std::size_t i) {
-  std::vector<std::string> cells;
-  const auto& given = s.picture.hard_case.vertices[i].position;
-  for (std::size_t c = 0; c < 3; ++c) cells.push_back(full_number(given[c]));
-  cells.push_back(s.in_view_space() ? short_number(CGAL::to_double(s.geometry.input_clip[i][3]))
-                                    : full_number(given[3]));
-  return cells;
-}
-
+// Coordinates as given; in view space w too, since its sign matters. The rest is counted.
 void draw_table(CaseSketch& s, Spot corner) {
-  const std::size_t rows = table_rows(s);
-  double y = corner.y;
-  s.page.text({corner.x, y}, "Vertex", {.size = 12, .bold = true});
+  const bool view = s.in_view_space();
+  const std::array<std::string, 4> names = {"x", "y", "z", view ? "w (clip)" : "w"};
   // The computed w has fewer digits.
   const auto column = [&](std::size_t c) {
-    return corner.x + 30 + kNumber * double(c + 1) - (c == 3 && s.in_view_space() ? 34 : 0);
+    return corner.x + 30 + kNumber * double(c + 1) - (c == 3 && view ? 34 : 0);
   };
-  const std::vector<std::string> names = {"x", "y", "z", s.in_view_space() ? "w (clip)" : "w"};
-  for (std::size_t c = 0; c < names.size(); ++c) {
-    s.page.text({column(c), y}, names[c], {.size = 12, .bold = true, .anchor = Anchor::right});
-  }
+  const auto write = [&](std::size_t c, double y, const std::string& text, Lettering style) {
+    style.anchor = Anchor::right;
+    s.page.text({column(c), y}, text, style);
+  };
+  double y = corner.y;
+  s.page.text({corner.x, y}, "Vertex", kTableHead);
+  for (std::size_t c = 0; c < 4; ++c) write(c, y, names[c], kTableHead);
+  const std::size_t all = s.geometry.input_clip.size(), rows = std::min(all, kMaxTableRows);
   for (std::size_t i = 0; i < rows; ++i) {
     y += kRow;
-    s.page.text({corner.x + 6, y}, std::to_string(i), {.size = 12, .bold = true});
-    const std::vector<std::string> cells = table_row(s, i);
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      s.page.text({column(c), y}, cells[c], {.size = 12, .anchor = Anchor::right});
+    s.page.text({corner.x + 6, y}, std::to_string(i), kTableHead);
+    const auto& given = s.picture.hard_case.vertices[i].position;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const bool computed = c == 3 && view;
+      write(c, y,
+            computed ? short_number(CGAL::to_double(s.geometry.input_clip[i][3]))
+                     : full_number(given[c]),
+            kTableText);
     }
     s.page.text({column(3) + 16, y}, s.geometry.places[i] + (s.geometry.behind[i] ? ", w ≤ 0" : ""),
                 kTableText);
   }
-  if (s.geometry.input_clip.size() > rows) {
-    s.page.text({corner.x + 6, y + kRow},
-                fmt::format("and {} more", s.geometry.input_clip.size() - rows), kTableText);
+  if (all > rows) {
+    s.page.text({corner.x + 6, y + kRow}, fmt::format("and {} more", all - rows), kTableText);
   }
+}
+
+double table_height(const CaseSketch& s) {
+  // The head; the rows, and the count of the others in place of one more.
+  return kRow *
+         (1 + static_cast<double>(std::min(s.geometry.input_clip.size(), kMaxTableRows + 1)));
 }
 
 // ---- The legend ---------------------------------------------------------------------------------
@@ -147,17 +141,19 @@ struct LegendEntry {
   std::string text;
 };
 
-std::array<Spot, 4> sample_box(Spot s) {
-  return {Spot{s.x - 15, s.y - 6}, Spot{s.x + 15, s.y - 6}, Spot{s.x + 15, s.y + 6},
-          Spot{s.x - 15, s.y + 6}};
+std::array<Spot, 4> sample_box(Spot s) { return Rect{s.x - 15, s.y - 6, 30, 12}.corners(); }
+
+void draw_box_sample(VectorPage& page, Spot at, Colour fill, const Pen& rim) {
+  page.fill(sample_box(at), fill);
+  page.stroke(sample_box(at), rim, true);
 }
 
 void draw_line_sample(VectorPage& page, Spot s, const Pen& pen) {
   page.stroke(std::array{Spot{s.x - 15, s.y}, Spot{s.x + 15, s.y}}, pen, false);
 }
 
-std::vector<LegendEntry> legend_of(const CaseSketch& s) {
-  const std::string primitive = to_string(s.picture.hard_case.primitive);
+std::vector<LegendEntry> legend_of(const HardCase& c) {
+  const std::string primitive = to_string(c.primitive);
   std::vector<LegendEntry> entries = {
       {[](VectorPage& page, Spot at) {
          draw_line_sample(page, at, kInputPen);
@@ -168,17 +164,11 @@ std::vector<LegendEntry> legend_of(const CaseSketch& s) {
          page.circle(at, 4, kBlack, {kBlack, 1.5});
        },
        "a vertex with w ≤ 0: it has no place in NDC"},
-      {[](VectorPage& page, Spot at) {
-         page.fill(sample_box(at), kVolumeFill);
-         page.stroke(sample_box(at), kPlanePen, true);
-       },
+      {[](VectorPage& page, Spot at) { draw_box_sample(page, at, kVolumeFill, kPlanePen); },
        "the view volume and its planes"},
       {[](VectorPage& page, Spot at) { page.hatch(sample_box(at), kHatch); },
        "behind the eye: w < 0"},
-      {[](VectorPage& page, Spot at) {
-         page.fill(sample_box(at), kExactFill);
-         page.stroke(sample_box(at), kExactPen, true);
-       },
+      {[](VectorPage& page, Spot at) { draw_box_sample(page, at, kExactFill, kExactPen); },
        "the exact result: the part inside"},
       {[](VectorPage& page, Spot at) {
          draw_line_sample(page, at, kAnswerPen);
@@ -188,7 +178,6 @@ std::vector<LegendEntry> legend_of(const CaseSketch& s) {
        },
        "the clipper's answer"},
   };
-  const HardCase& c = s.picture.hard_case;
   if (c.vertices.size() > 1) {
     entries.push_back({[](VectorPage& page, Spot at) { draw_line_sample(page, at, kDividedPen); },
                        fmt::format("the whole {} after the divide", primitive)});
@@ -201,24 +190,19 @@ std::vector<LegendEntry> legend_of(const CaseSketch& s) {
 
 void draw_legend(CaseSketch& s, Spot corner) {
   double y = corner.y;
-  for (const LegendEntry& entry : legend_of(s)) {
+  for (const LegendEntry& entry : legend_of(s.picture.hard_case)) {
     entry.draw(s.page, {corner.x + 15, y - 4});
     s.page.text({corner.x + 40, y}, entry.text, kTableText);
-    y += kRow + 4;
+    y += kLegendRow;
   }
-}
-
-double legend_height(const CaseSketch& s) {
-  return (kRow + 4) * static_cast<double>(legend_of(s).size());
 }
 
 // ---- The page -----------------------------------------------------------------------------------
 
 // The legend stands beneath the panels if view space takes its place among them.
 double page_height(const CaseSketch& s, const Heading& heading) {
-  const bool more = s.geometry.input_clip.size() > table_rows(s);
-  const double table = kRow * static_cast<double>(table_rows(s) + 1 + more);
-  const double beneath = s.in_view_space() ? std::max(table, legend_height(s)) : table;
+  const auto legend = static_cast<double>(legend_of(s.picture.hard_case).size());
+  const double beneath = std::max(table_height(s), s.in_view_space() ? kLegendRow * legend : 0);
   return kMargin + heading.height() + 24 + kPanels + kUnderPanel + beneath + kMargin;
 }
 
@@ -245,7 +229,19 @@ void draw_page(CaseSketch& s, const Heading& heading) {
 
 }  // namespace
 
-void check_picture_path(const std::filesystem::path& path) { page_format(path); }
+CasePicture picture_of(const HardCase& hard_case, const Contestant& contestant) {
+  const TruthPolygon truth = truth_polygon(hard_case);
+  CasePicture picture{hard_case,
+                      truth,
+                      judge_case(contestant, hard_case, truth),
+                      {},
+                      std::string(contestant.clipper),
+                      *contestant.format};
+  if (takes(contestant, hard_case)) {
+    picture.answer = positions_of(clip_case(contestant, hard_case)[0]);
+  }
+  return picture;
+}
 
 void write_case_picture(const std::filesystem::path& path, const CasePicture& picture) {
   const PageFormat format = page_format(path);
@@ -253,11 +249,11 @@ void write_case_picture(const std::filesystem::path& path, const CasePicture& pi
   VectorPage ruler(PageFormat::png, 1, 1, "");
   const Heading heading = heading_of(ruler, picture);
   CaseSketch measured{picture, ruler,
-                      case_geometry(picture.hard_case, picture.truth, picture.answer)};
+                      case_geometry(picture.hard_case, picture.truth.exact, picture.answer)};
   VectorPage page(format, kWidth, page_height(measured, heading), heading.title);
   CaseSketch sketch{picture, page, std::move(measured.geometry)};
   draw_page(sketch, heading);
   write_file(path, page.finish());
 }
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::hard_cases

@@ -3,40 +3,36 @@
 // Hard cases: catalogue x clippers x scalars, the families around the cases, NaN and infinity, an
 // exhaustive lattice, ulp grids, and whether the catalogue would notice a bug.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "experiments/catalogue/catalogue.hpp"
-#include "experiments/catalogue/ulp_picture.hpp"
-#include "experiments/experiment.hpp"
 #include "experiments/hard_cases/case_picture.hpp"
-#include "experiments/hard_cases/lattice_sweep.hpp"
-#include "experiments/hard_cases/tables.hpp"
+#include "experiments/hard_cases/rows.hpp"
+#include "experiments/hard_cases/ulp_picture.hpp"
 #include "experiments/render/figure.hpp"
-#include "experiments/report/row_view.hpp"
+#include "experiments/report/experiment.hpp"
+#include "experiments/survey/lattice_sweep.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::hard_cases {
 namespace {
 
 constexpr std::array kPrimitives = {Primitive::triangle, Primitive::segment, Primitive::point,
                                     Primitive::polygon};
 
-// Exact arithmetic and double-double are judged on the cases themselves, the binary formats on their
-// families, too: that is where errors are.
-std::vector<std::string> binary_formats(const std::vector<std::string>& scalars) {
-  std::vector<std::string> r;
-  for (const std::string& s : scalars) {
-    if (s == ScalarTraits<float>::name || s == ScalarTraits<double>::name) r.push_back(s);
-  }
-  return r;
+// Exact arithmetic and double-double are judged on the cases themselves, the binary formats on
+// their families, too: that is where errors are.
+std::vector<std::string> binary_formats(std::vector<std::string> scalars) {
+  std::erase_if(scalars, [](const std::string& s) {
+    return s != kFormat<float>.name && s != kFormat<double>.name;
+  });
+  return scalars;
 }
 
-CaseSet case_set(const std::vector<HardCase>& catalogue, Primitive primitive,
-                 const Selection& selection, const std::vector<std::string>& scalars) {
+CaseSet case_set(Primitive primitive, const Selection& selection,
+                 const std::vector<std::string>& scalars) {
   CaseSet set{primitive, {}, case_contestants(primitive, selection.clipper, scalars)};
-  for (const HardCase& c : catalogue) {
+  for (const HardCase& c : builtin_catalogue()) {
     if (c.primitive == primitive) set.cases.push_back(&c);
   }
   return set;
@@ -44,109 +40,64 @@ CaseSet case_set(const std::vector<HardCase>& catalogue, Primitive primitive,
 
 // One file for each case, clipper and scalar that fails: cases/THEME_NAME_CLIPPER_SCALAR.svg
 void draw_failures(const ExperimentContext& context, const CaseSet& set, const Verdicts& verdicts,
-                   CellRecord& record) {
-  const std::filesystem::path folder = context.out() / "cases";
-  std::error_code ignored;  // what cannot be made cannot be written to: that says so
-  std::filesystem::create_directories(folder, ignored);
+                   PieceRecord& record) {
   for (std::size_t i = 0; i < set.cases.size(); ++i) {
-    const HardCase& hard_case = *set.cases[i];
-    const TruthPolygon truth = truth_polygon(hard_case);
     for (std::size_t c = 0; c < set.contestants.size(); ++c) {
       if (!is_failure(verdicts[i][c].comparison.outcome)) continue;
-      const CaseContestant& contestant = set.contestants[c];
-      std::string name =
-          fmt::format("{}_{}_{}.svg", hard_case.name, contestant.clipper, contestant.scalar);
-      std::replace(name.begin(), name.end(), '/', '_');
-      const CaseAnswer answer = contestant.answer(hard_case, truth);
-      write_case_picture(folder / name,
-                         {hard_case, truth, answer, contestant.clipper, contestant.scalar});
-      record.pictures.push_back(
-          {"cases/" + name,
-           fmt::format("{}: {} in {}", hard_case.name, contestant.clipper, contestant.scalar)});
+      const HardCase& hard_case = *set.cases[i];
+      const Contestant& contestant = *set.contestants[c];
+      std::string file =
+          fmt::format("{}_{}_{}.svg", hard_case.name, contestant.clipper, contestant.scalar());
+      std::ranges::replace(file, '/', '_');
+      file.insert(0, "cases/");
+      write_case_picture(context.out() / file, picture_of(hard_case, contestant));
+      record.pictures.push_back({file, fmt::format("{}: {} in {}", hard_case.name,
+                                                   contestant.clipper, contestant.scalar())});
     }
   }
 }
 
-std::int64_t failures_in_float(const Table& summary, const std::string& clipper) {
-  for (const RowView& row : rows_of(summary)) {
-    if (row.text("primitive") == "triangle" && row.text("clipper") == clipper &&
-        row.text("scalar") == "float") {
-      return row.count("failures");
-    }
-  }
-  return -1;
-}
-
-// How often the usual clipper of each space fails on triangles in float.
-std::string finding_of(const Table& summary) {
-  std::vector<std::string> parts;
-  for (const auto& [space, clipper] :
-       {std::pair{"view space", "view/sutherland_hodgman"},
-        std::pair{"clip space", "homogeneous/sutherland_hodgman"},
-        std::pair{"the CVV (near plane first)", "cvv/near_first"},
-        std::pair{"the CVV (divide first)", "cvv/naive"},
-        std::pair{"the distance matrix", "barycentric/distance_matrix"}}) {
-    const std::int64_t failures = failures_in_float(summary, clipper);
-    if (failures >= 0) parts.push_back(fmt::format("{} {}", space, failures));
-  }
-  return fmt::format("Triangles of the catalogue that float clipping gets wrong: {}.",
-                     fmt::join(parts, ", "));
-}
-
-void judge_catalogue(const ExperimentContext& context, const std::vector<HardCase>& catalogue) {
+void judge_catalogue(const ExperimentContext& context) {
   const Selection& selection = context.selection();
-  Table all = verdicts_table();
-  Table summary = summary_table();
+  TableOf<VerdictRow> all;
+  TableOf<SummaryRow> summary;
   for (const Primitive primitive : kPrimitives) {
-    const CaseSet set = case_set(catalogue, primitive, selection, selection.scalars);
+    const CaseSet set = case_set(primitive, selection, selection.scalars);
     if (set.contestants.empty()) continue;
     Table matrix = matrix_table(set, selection.scalars);
-    const auto judge = [&](CellRecord& record) {
-      Progress progress(fmt::format("hard {}s", to_string(primitive)), set.cases.size());
+    const std::string name = fmt::format("verdicts on {}s", name_of(primitive));
+    context.piece(name, {&matrix, &all, &summary}, [&](PieceRecord& record) {
+      Progress progress(fmt::format("hard {}s", name_of(primitive)), set.cases.size());
       const Verdicts verdicts = judge_cases(set, progress);
       add_matrix(set, verdicts, selection.scalars, matrix);
-      add_verdicts(set, verdicts, all);
-      add_summary(set, verdicts, summary);
+      add_rows(set, verdicts, all);
+      add_rows(set, verdicts, summary);
       if (selection.pictures) draw_failures(context, set, verdicts, record);
-    };
-    context.cell(fmt::format("verdicts on {}s", to_string(primitive)), {&matrix, &all, &summary},
-                 judge);
+    });
     context.emit(matrix);
   }
   if (selection.pictures) context.emit_file(context.out() / "cases" / "*.svg");
-  context.emit(all);
-  context.emit(summary);
-  context.finding(finding_of(summary));
+  context.emit(all, summary);
+  context.finding(finding(summary.rows()));
 }
 
-void judge_all_families(const ExperimentContext& context, const std::vector<HardCase>& catalogue) {
-  const Selection& selection = context.selection();
-  Table families = families_table();
-  Table policy = policy_table();
-  for (const Primitive primitive : kPrimitives) {
-    const CaseSet set =
-        case_set(catalogue, primitive, selection, binary_formats(selection.scalars));
-    if (set.contestants.empty()) continue;
-    const std::string name = fmt::format("families of {}s", to_string(primitive));
-    context.cell(name, {&families, &policy}, [&](CellRecord&) {
-      Progress progress(name, 2 * set.cases.size());
-      add_families(set, judge_families(set, progress), families);
-      add_policy(set, judge_special_values(set, progress), policy);
-    });
-  }
-  context.emit(families);
-  context.emit(policy);
+void try_mutants(const ExperimentContext& context) {
+  TableOf<MutantRow> table;
+  context.piece("mutants", {&table}, [&](PieceRecord&) {
+    for (const MutantRow& row : mutant_rows(builtin_catalogue())) table.add(row);
+  });
+  context.emit(table);
 }
 
 void show_signs(const ExperimentContext& context) {
   std::vector<UlpGrid> grids;
   for (const PlaneGrid& grid : plane_grids()) grids.push_back(grid.grid);
   grids.push_back(edge_grid().grid);
-  Table table = signs_table();
+  TableOf<SignRow> table;
   for (const UlpGrid& grid : grids) {
     const std::string file = fmt::format("signs_{}.png", grid.name);
-    context.cell(fmt::format("signs {}", grid.name), {&table}, [&](CellRecord& record) {
-      add_signs(grid, table);
+    context.piece(fmt::format("signs {}", grid.name), {&table}, [&](PieceRecord& record) {
+      add_rows(grid, table);
       write_png(context.out() / file, ulp_picture(grid), grid.title);
       record.pictures.push_back({file, "Signs of plane predicates: " + grid.title});
     });
@@ -155,29 +106,38 @@ void show_signs(const ExperimentContext& context) {
   context.emit(table);
 }
 
-void try_mutants(const ExperimentContext& context, const std::vector<HardCase>& catalogue) {
-  Table table = mutants_table();
-  context.cell("mutants", {&table}, [&](CellRecord&) { add_mutants(catalogue, table); });
-  context.emit(table);
+void judge_all_families(const ExperimentContext& context, const std::vector<std::string>& scalars) {
+  TableOf<FamilyRow> families;
+  TableOf<PolicyRow> policy;
+  for (const Primitive primitive : kPrimitives) {
+    const CaseSet set = case_set(primitive, context.selection(), scalars);
+    if (set.contestants.empty()) continue;
+    const std::string name = fmt::format("families of {}s", name_of(primitive));
+    context.piece(name, {&families, &policy}, [&](PieceRecord&) {
+      Progress progress(name, 2 * set.cases.size());
+      add_rows(set, judge_families(set, progress), families);
+      add_rows(set, judge_special_values(set, progress), policy);
+    });
+  }
+  context.emit(families, policy);
 }
 
-void sweep_small_lattice(const ExperimentContext& context) {
-  Table table = lattice_table("small", context.selection());
-  context.cell("lattice small", {&table},
-               [&](CellRecord&) { add_lattice("small", context.selection(), table); });
-  context.emit(table);
+void run(const ExperimentContext& context) {
+  judge_catalogue(context);
+  try_mutants(context);
+  show_signs(context);
+  const std::vector<std::string> scalars = binary_formats(context.selection().scalars);
+  if (scalars.empty()) return;
+  judge_all_families(context, scalars);
+  TableOf<SweepRow> lattice = lattice_table("small", context.selection());
+  context.piece("lattice small", {&lattice},
+                [&](PieceRecord&) { add_lattice("small", context.selection(), lattice); });
+  context.emit(lattice);
 }
 
 }  // namespace
 
-void run_hard_cases(const ExperimentContext& context) {
-  const std::vector<HardCase>& catalogue = builtin_catalogue();
-  judge_catalogue(context, catalogue);
-  try_mutants(context, catalogue);
-  show_signs(context);
-  if (binary_formats(context.selection().scalars).empty()) return;
-  judge_all_families(context, catalogue);
-  sweep_small_lattice(context);
-}
+extern constinit const Experiment kExperiment{
+    "hard_cases", "Which clipper gets which hard case wrong, and how?", run};
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::hard_cases

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The error of affine interpolation: attributes taken to be linear on the screen, where in truth a/w and 1/w
-// are.
+// The error of affine interpolation: attributes taken to be linear on the screen, where in truth
+// a/w and 1/w are.
 //
 // Along an edge from w0 to w1 the screen's parameter s stands for the edge's own parameter
 //
 //   t(s) = s w0 / ((1 - s) w1 + s w0)
 //
-// (Blinn, "Hyperbolic Interpolation", 1992). With r = w_max / w_min, |t(s) - s| is largest where s, from the
-// nearer end, is sqrt(r) / (1 + sqrt(r)) or 1 minus that, and there it is
+// (Blinn, "Hyperbolic Interpolation", 1992). With r = w_max / w_min, |t(s) - s| is largest where s,
+// from the nearer end, is sqrt(r) / (1 + sqrt(r)) or 1 minus that, and there it is
 //
 //   b(r) = (sqrt(r) - 1) / (sqrt(r) + 1).
 //
-// In a triangle the truth weighs each corner by s_i / w_i. Moving weight s between the corners by factors
-// that differ by at most r moves any attribute by at most b(r) times its range: the bound holds inside, too.
-// More than that, along a line of constant w truth and affine answer are both linear, so that the largest
-// error of a triangle lies on one of its edges, where it is |a1 - a0| b(w1 / w0).
+// In a triangle the truth weighs each corner by s_i / w_i. Moving weight s between the corners by
+// factors that differ by at most r moves any attribute by at most b(r) times its range: the bound
+// holds inside, too. More than that, along a line of constant w truth and affine answer are both
+// linear: the largest error of a triangle lies on one of its edges, and is |a1 - a0| b(w1 / w0).
 //
 // All templates compute in N: a double, or a rational that rounds nothing.
 #pragma once
@@ -25,7 +25,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::perspective {
 
 // t(s) of an edge. Pre-condition: w0, w1 > 0 and 0 <= s <= 1.
 template <class N>
@@ -60,8 +60,8 @@ struct AffineCorner {
   N w, attribute;
 };
 
-// Truth less affine answer at the point that lies on the screen at the weights, which need not sum to 1.
-// Pre-condition: w > 0, no weight negative, their sum positive.
+// Truth less affine answer at the point that lies on the screen at the weights, which need not sum
+// to 1. Pre-condition: w > 0, no weight negative, their sum positive.
 template <class N>
 N affine_error_at(const std::array<AffineCorner<N>, 3>& corners, const std::array<N, 3>& weights) {
   N truth(0), truth_weight(0), affine(0), affine_weight(0);
@@ -75,4 +75,4 @@ N affine_error_at(const std::array<AffineCorner<N>, 3>& corners, const std::arra
   return N(truth / truth_weight - affine / affine_weight);
 }
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::perspective

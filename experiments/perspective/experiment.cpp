@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Perspective: ratios of w x affine against correct, on edges and triangles, in scenes, in vertices that
-// clipping makes, and in pictures.
+// Perspective: ratios of w x affine against correct, on edges and triangles, in scenes, in vertices
+// that clipping makes, and in pictures.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "experiments/perspective/measure.hpp"
+#include "experiments/perspective/rows.hpp"
+#include "experiments/report/experiment.hpp"
+#include "experiments/store/piece_record.hpp"
+#include "experiments/table/hex_float.hpp"
 
-#include "experiments/experiment.hpp"
-#include "experiments/hex_float.hpp"
-#include "experiments/measure/batches.hpp"
-#include "experiments/perspective/affine_picture.hpp"
-#include "experiments/perspective/named_contestants.hpp"
-#include "experiments/perspective/summary.hpp"
-#include "experiments/perspective/tables.hpp"
-#include "experiments/report/progress.hpp"
-
-namespace clipscope::experiments {
+namespace clipscope::experiments::perspective {
 namespace {
 
 // Square roots of the ratios: their squares, the ratios and the bounds are exact rationals.
@@ -28,88 +23,85 @@ constexpr std::array<std::string_view, 4> kCutClippers = {"cvv/naive", "cvv/pers
                                                           "homogeneous/sutherland_hodgman",
                                                           "barycentric/distance_matrix"};
 
-std::size_t sample_size(const Selection& selection, std::size_t full, std::size_t quick) {
-  if (selection.sample != 0) return selection.sample;
-  return selection.quick ? quick : full;
-}
+std::size_t sample_size(const Selection& selection) { return selection.sample_or(200, 2000); }
 
-void measure_ratios(const ExperimentContext& context, PerspectiveTables& tables) {
+void measure_ratios(const ExperimentContext& context, Tables& tables) {
   const Selection& selection = context.selection();
-  const EdgeSearchOptions options{.triangles = selection.quick ? 500 : 10000,
-                                  .seed = selection.seed};
+  const EdgeSearch search{.triangles = selection.quick ? 500 : 10000, .seed = selection.seed};
   Progress progress("perspective: ratios", kRoots.size());
   for (const double root : kRoots) {
-    context.cell("root " + hex_float(root), {&tables.ratios},
-                 [&](CellRecord&) { add_ratio(tables.ratios, search_edges(root, options)); });
+    context.piece("root " + hex_float(root), {&tables.ratios},
+                  [&](PieceRecord&) { tables.ratios.add(search_edges(root, search)); });
     progress.advance();
   }
-  context.cell("thresholds", {&tables.thresholds},
-               [&](CellRecord&) { add_thresholds(tables.thresholds); });
+  context.piece("thresholds", {&tables.thresholds}, [&](PieceRecord&) {
+    for (const ThresholdRow& row : threshold_rows()) tables.thresholds.add(row);
+  });
 }
 
-void measure_scenes(const ExperimentContext& context, PerspectiveTables& tables) {
+void measure_scenes(const ExperimentContext& context, Tables& tables) {
   const Selection& selection = context.selection();
-  const std::size_t sample = sample_size(selection, 2000, 200);
+  const std::size_t sample = sample_size(selection);
   for (const std::string& name : scene_names(selection)) {
-    context.cell(fmt::format("scene {}", name), {&tables.scenes}, [&](CellRecord&) {
+    context.piece(fmt::format("scene {}", name), {&tables.scenes}, [&](PieceRecord&) {
       const Scene scene = load_selected_scene(selection, name);
       Progress progress(fmt::format("perspective in {}", scene.name),
-                        sample_of(scene, sample).count * scene.views.size());
+                        spacing_of(scene, sample).count * scene.views.size());
       const auto needs = scene_needs(scene, sample, progress);
-      if (!needs.empty()) add_scene(tables.scenes, scene.name, needs);
+      if (!needs.empty()) tables.scenes.add(scene_row(scene.name, needs));
     });
   }
 }
 
-void measure_cuts(const ExperimentContext& context, PerspectiveTables& tables) {
+void measure_cuts(const ExperimentContext& context, Tables& tables) {
   const Selection& selection = context.selection();
   Progress progress("perspective: cut after the divide", kCutRatios.size());
   for (const float ratio : kCutRatios) {
-    context.cell(fmt::format("cut {}", ratio), {&tables.clip}, [&](CellRecord& record) {
-      const auto triangles =
-          cut_triangles(ratio, sample_size(selection, 2000, 200), selection.seed);
-      for (const AnyContestant& contestant : named_contestants(selection, kCutClippers)) {
-        const CutError error = attribute_error_of_cut(contestant, triangles);
-        add_cut(tables.clip, ratio, contestant, error);
-        if (error.max > 0) record.worst_inputs.push_back(worst_input(contestant, error));
+    context.piece(fmt::format("cut {}", ratio), {&tables.cuts}, [&](PieceRecord& record) {
+      const auto triangles = cut_triangles(ratio, sample_size(selection), selection.seed);
+      for (const Contestant* contestant : named_contestants(selection, kCutClippers)) {
+        const CutRow row = measure_cut(*contestant, ratio, triangles);
+        tables.cuts.add(row);
+        if (row.max_error == 0) continue;
+        record.worst_inputs.push_back(
+            worst_input(*contestant, row.worst, "attribute", row.max_error));
       }
     });
     progress.advance();
   }
 }
 
-void draw_pictures(const ExperimentContext& context, PerspectiveTables& tables) {
+void draw_pictures(const ExperimentContext& context, Tables& tables) {
   const Selection& selection = context.selection();
-  const std::vector<std::string> names =
-      selection.scenes.empty() ? std::vector<std::string>{"floor"} : selection.scenes;
-  for (const std::string& name : names) {
+  for (const std::string& name : selection.scenes_or({"floor"})) {
     for (const Pieces pieces : {Pieces::near_cut, Pieces::clipped, Pieces::split}) {
-      context.cell(
-          fmt::format("picture {} {}", name, pieces_name(pieces)), {&tables.pictures},
-          [&](CellRecord& record) {
-            const Scene scene = load_selected_scene(selection, name);
-            const auto picture = draw_affine(scene, scene.views.front(), pieces, {640, 360});
-            add_picture(tables.pictures, scene.name, pieces, picture.error.counts);
-            record.pictures.push_back(write_affine_picture(context.out(), scene, pieces, picture));
-          });
+      const std::string cell = fmt::format("picture {} {}", name, name_of(pieces));
+      context.piece(cell, {&tables.pictures}, [&](PieceRecord& record) {
+        const Scene scene = load_selected_scene(selection, name);
+        const AffinePicture picture = draw(scene, scene.views.front(), pieces, {640, 360});
+        const HeatMapCounts& counts = picture.error.counts;
+        tables.pictures.add({scene.name, pieces, counts.max_error, counts.median_error,
+                             100 * counts.share_above_one});
+        record.pictures.push_back(write_picture(context.out(), scene, pieces, picture));
+      });
     }
   }
 }
 
-}  // namespace
-
-void run_perspective(const ExperimentContext& context) {
-  PerspectiveTables tables;
+void run(const ExperimentContext& context) {
+  Tables tables;
   measure_ratios(context, tables);
   measure_scenes(context, tables);
   measure_cuts(context, tables);
   draw_pictures(context, tables);
-  for (const Table* table :
-       {&tables.ratios, &tables.thresholds, &tables.scenes, &tables.clip, &tables.pictures}) {
-    context.emit(*table);
-  }
-  context.emit(error_over_ratio(tables));
-  context.finding(perspective_finding(tables));
+  context.emit(tables.ratios, tables.thresholds, tables.scenes, tables.cuts, tables.pictures,
+               error_plot(tables));
+  context.finding(finding(tables));
 }
 
-}  // namespace clipscope::experiments
+}  // namespace
+
+extern constinit const Experiment kExperiment{
+    "perspective", "When does interpolation need perspective correction?", run};
+
+}  // namespace clipscope::experiments::perspective

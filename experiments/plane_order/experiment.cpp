@@ -1,89 +1,100 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Plane order: sets of triangles x all 720 orders x exact, float and double; and the time of two of them.
+// Plane order: sets of triangles x all 720 orders x exact, float and double; clippers timed.
 #include <fmt/format.h>
 
-#include "experiments/experiment.hpp"
-#include "experiments/measure/machine.hpp"
-#include "experiments/plane_order/tables.hpp"
-#include "experiments/report/progress.hpp"
+#include "experiments/machine/machine.hpp"
+#include "experiments/machine/progress.hpp"
+#include "experiments/plane_order/rows.hpp"
+#include "experiments/report/experiment.hpp"
+#include "experiments/selection/replay_text.hpp"
+#include "experiments/survey/contest_clock.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::plane_order {
 namespace {
 
-constexpr std::size_t kTimedTriangles = 20000;
+// Clippers that differ in little but the order of the planes: near first, near last and others.
+constexpr std::array<std::string_view, 4> kClippers = {
+    "homogeneous/sutherland_hodgman", "homogeneous/near_last", "homogeneous/w_first_0",
+    "homogeneous/pipeline"};
 
-struct Sizes {
-  std::size_t rounded, exact;  // triangles per set
-};
-
-Sizes sizes_of(const Selection& selection) {
-  if (selection.sample != 0) return {selection.sample, selection.sample / 10 + 1};
-  return selection.quick ? Sizes{250, 20} : Sizes{2500, 250};
+// The triangle on which near last is farthest from near first.
+void record_worst(const TriangleSet& set, const RoundedOrders& rounded, PieceRecord& record) {
+  if (rounded.near_last_px == 0) return;
+  const std::string input = hex_line(set.triangles[rounded.farthest].triangle, 0);
+  record.worst_inputs.push_back(
+      {std::string(kClippers[1]), std::string(rounded.scalar), "moved_px", rounded.near_last_px,
+       input,
+       fmt::format(
+           "for c in {} {}; do echo '{}' | clipscope clip --clipper $c --space clip --depth {} --scalar {} --hex; done",
+           kClippers[0], kClippers[1], input, depth_option(set.depth), rounded.scalar)});
 }
 
-SetResult measure_set(const Selection& selection, const std::string& name) {
-  const Sizes sizes = sizes_of(selection);
-  SetResult result{make_set(selection, name, sizes.rounded), {}, {}, {}};
-  result.exact = measure_exact(result.set, sizes.exact);
-  result.in_float = measure_rounded<float>(result.set);
-  result.in_double = measure_rounded<double>(result.set);
-  return result;
-}
-
-std::vector<std::string> mixes(const Selection& selection) {
-  if (!selection.scenes.empty()) return selection.scenes;
-  return {"soup", "soup_straddling", "soup_behind"};
-}
-
-// Clippers that differ in little but the order in which planes cut.
-std::vector<AnyContestant> timed_contestants() {
-  std::vector<AnyContestant> all;
-  for (const char* clipper : {"homogeneous/sutherland_hodgman", "homogeneous/near_last",
-                              "homogeneous/w_first_0", "homogeneous/pipeline"}) {
-    for (const char* scalar : {"float", "double"}) {
-      all.push_back(find_contestant(clipper, scalar));
+void time_orders(const std::string& mix, const Scene& scene, int rounds, TableOf<TimeRow>& table,
+                 PieceRecord& record) {
+  Selection in_both;
+  in_both.scalars = {"float", "double"};
+  const Contestants contestants = named_contestants(in_both, kClippers);
+  const auto views = sampled_views(scene, 20000);
+  const auto timings =
+      time_contestants(batches_of(views), contestants, *contestants.front(), {.rounds = rounds});
+  for (std::size_t i = 0; i < contestants.size(); ++i) {
+    const Timing &timing = timings[i], &near_first = timings[i % 2];  // of the same scalar
+    TimeRow row{mix, std::string(contestants[i]->clipper), std::string(contestants[i]->scalar())};
+    if (timing.is_timed() && near_first.is_timed()) {
+      row.ns = timing.ns;
+      row.ratio = median_interval(ratios(timing.samples_ns, near_first.samples_ns));
     }
+    table.add(row);
+    record.add(fmt::format("{} {} {}", mix, row.clipper, row.scalar), timing);
   }
-  return all;
+}
+
+void run(const ExperimentContext& context) {
+  const Selection& selection = context.selection();
+  TableOf<OrdersRow> orders;
+  TableOf<ClassRow> classes;
+  TableOf<TimeRow> times;
+  const std::size_t sample = selection.sample;  // triangles per set
+  const std::size_t rounded = selection.sample_or(250, 2500);
+  const std::size_t exact = sample != 0 ? sample / 10 + 1 : selection.quick ? 20 : 250;
+  const std::vector<std::string> sets = set_names(selection);
+  const auto timed = selection.scenes_or({"soup", "soup_straddling", "soup_behind"});
+  Progress progress("plane_order", sets.size() + timed.size());
+  for (const std::string& name : sets) {
+    context.piece(name, {&orders, &classes}, [&](PieceRecord& record) {
+      const TriangleSet set = make_set(selection, name, rounded);
+      if (set.triangles.empty()) return;
+      const auto in_float = measure_rounded<float>(set), in_double = measure_rounded<double>(set);
+      orders.add(orders_row(name, measure_exact(set, exact), in_float, in_double));
+      for (const RoundedOrders* r : {&in_float, &in_double}) {
+        for (const ClassRow& row : class_rows(name, *r)) classes.add(row);
+        record_worst(set, *r, record);
+      }
+    });
+    progress.advance();
+  }
+  for (const std::string& mix : timed) {
+    context.piece("time on " + mix, {&times}, [&](PieceRecord& record) {
+      time_orders(mix, load_selected_scene(selection, mix), selection.quick ? 9 : 41, times,
+                  record);
+    });
+    progress.advance();
+  }
+  const OrdersRow all = total(orders.rows());
+  orders.add(all);
+  for (Table* table : std::initializer_list<Table*>{&orders, &classes, &times}) {
+    table->add_note(fmt::format("Seed {}. {}", selection.seed, machine_description()));
+    context.emit(*table);
+  }
+  context.emit(wrong_plot(classes.rows()), intersections_plot(classes.rows()));
+  context.finding(finding(all, times.rows()));
 }
 
 }  // namespace
 
-void run_plane_order(const ExperimentContext& context) {
-  const Selection& selection = context.selection();
-  Table orders = orders_table(), classes = classes_table(), times = order_times_table();
-  const std::vector<std::string> sets = set_names(selection);
-  Progress progress("plane_order", sets.size() + mixes(selection).size());
-  for (const std::string& name : sets) {
-    context.cell(name, {&orders, &classes}, [&](CellRecord& record) {
-      const SetResult result = measure_set(selection, name);
-      if (result.set.triangles.empty()) return;
-      add_set(result, orders);
-      add_classes(result, classes);
-      add_worst(result, record);
-    });
-    progress.advance();
-  }
-  for (const std::string& mix : mixes(selection)) {
-    context.cell("time on " + mix, {&times}, [&](CellRecord& record) {
-      const Scene scene = load_selected_scene(selection, mix);
-      const std::vector<AnyContestant> contestants = timed_contestants();
-      const TimingOptions options{.rounds = selection.quick ? 9 : 41};
-      const auto timings =
-          measure_time(timed_batches(scene, kTimedTriangles), contestants, options);
-      add_times(mix, contestants, timings, times, record);
-    });
-    progress.advance();
-  }
-  Table all_orders = with_all(orders);
-  for (Table* table : {&all_orders, &classes, &times}) {
-    table->add_note(fmt::format("Seed {}. {}", selection.seed, machine_description()));
-    context.emit(*table);
-  }
-  context.emit(wrong_plot(classes));
-  context.emit(intersections_plot(classes));
-  context.finding(orders_finding(all_orders, times));
-}
+extern constinit const Experiment kExperiment{
+    "plane_order", "Does the order of the planes matter: for the result, the error, the time?",
+    run};
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::plane_order

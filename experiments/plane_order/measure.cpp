@@ -6,70 +6,30 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/measure/batches.hpp"
-#include "experiments/measure/compare.hpp"
-#include "spaces/homogeneous/sutherland_hodgman.hpp"
+#include "experiments/catalogue/catalogue.hpp"
+#include "experiments/judge/compare.hpp"
+#include "experiments/judge/match.hpp"
+#include "experiments/scenes/random.hpp"
+#include "experiments/scenes/scene.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::plane_order {
 namespace {
 
-constexpr std::size_t kChunk = 32;  // triangles that are tallied together
+constexpr std::size_t kWindow = 256;  // triangles in work at once
 constexpr int K = kSceneAttributes;
 
-// For each of the 720 orders the order of the planes to which it amounts.
-using Restrictions = std::array<std::uint16_t, kOrders>;
-
-const Restrictions& restrictions(Outcode planes) {
-  static const auto all = [] {
-    std::array<Restrictions, 1u << kPlanes> table;
-    for (Outcode code = 0; code < table.size(); ++code) {
-      for (std::size_t o = 0; o < kOrders; ++o) {
-        table[code][o] = static_cast<std::uint16_t>(restricted(all_orders()[o], code));
-      }
-    }
-    return table;
-  }();
-  return all[planes];
-}
-
-std::size_t near_first_of(Outcode planes) { return restricted(near_first_order(), planes); }
-
-template <class T>
-using NdcSpan = std::span<const NdcVertex<T, K>>;
-
-template <class T>
-NdcSpan<T> span_of(const NdcPolygon<T, K>& polygon) {
-  return {polygon.begin(), polygon.end()};
-}
-
-template <class T>
-bool same_bits(const NdcVertex<T, K>& a, const NdcVertex<T, K>& b) {
-  return a.position == b.position && a.attributes.values == b.attributes.values;
-}
-
-template <class T>
-bool same_up_to_rotation(const NdcPolygon<T, K>& a, const NdcPolygon<T, K>& b) {
-  const int n = a.size();
-  if (n != b.size()) return false;
-  for (int shift = 0; shift < std::max(n, 1); ++shift) {
-    int equal = 0;
-    while (equal < n && same_bits(a[equal], b[(equal + shift) % n])) ++equal;
-    if (equal == n) return true;
-  }
-  return false;
-}
-
-// The largest distance of a vertex of one from the nearest vertex of the other; 0 if either has none.
-template <class T>
-double distance_px(const NdcPolygon<T, K>& a, const NdcPolygon<T, K>& b) {
+// The largest distance on screen of a vertex of one from the nearest vertex of the other,
+// differences in the polygons' scalar; 0 if either has none.
+double distance_px(const PolygonView& a, const PolygonView& b) {
+  const Format& format = a.format();
   double largest = 0;
-  const auto from = [&](const NdcPolygon<T, K>& x, const NdcPolygon<T, K>& y) {
-    for (const auto& p : x) {
+  const auto from = [&](const PolygonView& x, const PolygonView& y) {
+    for (const VertexView& p : x) {
       double nearest = HUGE_VAL;
-      for (const auto& q : y) {
-        const T dx = p.position[0] - q.position[0], dy = p.position[1] - q.position[1];
-        nearest = std::min(nearest, std::hypot(nearest_double(dx) * kScreenWidth / 2,
-                                               nearest_double(dy) * kScreenHeight / 2));
+      for (const VertexView& q : y) {
+        const ScreenPoint d = screen_point(difference(format, p[0], q[0]).value,
+                                           difference(format, p[1], q[1]).value);
+        nearest = std::min(nearest, std::hypot(d[0], d[1]));
       }
       largest = std::max(largest, nearest);
     }
@@ -80,170 +40,162 @@ double distance_px(const NdcPolygon<T, K>& a, const NdcPolygon<T, K>& b) {
   return largest;
 }
 
-// Results with the same bits share a number, so that each is judged once. results[i] has the bits of
-// results[first_like[i]].
-template <class T>
-std::vector<std::size_t> first_like(const std::vector<OrderedCut<T, K>>& results) {
-  std::vector<std::size_t> first(results.size()), distinct;
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    const auto known = std::find_if(distinct.begin(), distinct.end(), [&](std::size_t d) {
-      return same_up_to_rotation(results[d].polygon, results[i].polygon);
-    });
-    first[i] = known == distinct.end() ? i : *known;
-    if (known == distinct.end()) distinct.push_back(i);
-  }
-  return first;
-}
-
-template <class T>
-OrderTally judged(const OrderedCut<T, K>& result, const OrderedCut<T, K>& near_first,
+OrderTally judged(const PolygonView& polygon, const PolygonView& near_first,
                   const TruthPolygon& truth) {
-  const Comparison comparison = compare<T, K>(span_of(result.polygon), truth);
+  const Comparison comparison = compare(polygon, truth);
   OrderTally tally;
-  tally.differs = !same_up_to_rotation(result.polygon, near_first.polygon);
-  tally.other_outline = result.polygon.size() != near_first.polygon.size();
+  tally.differs = !same_cycle(polygon, near_first, Likeness::by_value);
+  tally.other_outline = polygon.size() != near_first.size();
   tally.wrong = comparison.visible && is_failure(comparison.outcome);
-  tally.moved_px = distance_px(result.polygon, near_first.polygon);
+  tally.moved_px = distance_px(polygon, near_first);
   if (comparison.outcome <= Outcome::visible) tally.error_px = comparison.position_px;
   return tally;
 }
 
+// One triangle by each order of the planes that cut it.
 template <class T>
-void add_triangle(const TriangleSet& set, std::size_t index, const reference::Truth& truth_of_clip,
-                  RoundedOrders& sum) {
-  const CutTriangle& input = set.triangles[index];
+std::vector<OrderTally> judge_orders(const CutTriangle& input,
+                                     const reference::Truth& truth_of_clip) {
   const auto truth = truth_polygon(truth_of_clip, reference::input_triangle(input.triangle));
   const auto results =
-      OrderTree<T, K>::cut_all(set.depth, input.planes, simplex_cast<T>(input.triangle));
-  const auto first = first_like(results);
-  const auto& near_first = results[near_first_of(input.planes)];
-  std::vector<OrderTally> tallies(results.size());
-  std::size_t distinct = 0, empty = 0, wrong = 0;
+      OrderTree<T, K>::cut_all(truth_of_clip.volume().depth, input.planes, input.triangle);
+  Answers polygons(kFormat<T>, 4 + K);
+  for (const OrderedCut<T, K>& result : results) add_polygon(result.polygon, polygons);
+  const PolygonView near_first = polygons[restricted(kNearFirst, input.planes)];
+  std::vector<OrderTally> tallies;
+  std::vector<std::size_t> distinct;  // each polygon is judged once
   for (std::size_t i = 0; i < results.size(); ++i) {
-    distinct += first[i] == i;
-    tallies[i] = first[i] == i ? judged(results[i], near_first, truth) : tallies[first[i]];
+    const auto known = std::ranges::find_if(distinct, [&](std::size_t d) {
+      return same_cycle(polygons[d], polygons[i], Likeness::by_value);
+    });
+    if (known == distinct.end()) {
+      distinct.push_back(i);
+      tallies.push_back(judged(polygons[i], near_first, truth));
+    } else {
+      tallies.push_back(tallies[*known]);
+    }
     tallies[i].intersections = results[i].intersections;
     tallies[i].largest = results[i].largest;
     tallies[i].overflowed = results[i].overflowed;
-    empty += results[i].polygon.empty();
-    wrong += static_cast<std::size_t>(tallies[i].wrong);
   }
-  const Restrictions& number = restrictions(input.planes);
-  for (std::size_t o = 0; o < kOrders; ++o) sum.orders[o] += tallies[number[o]];
-  ++sum.triangles;
-  sum.differs += distinct > 1;
-  sum.appears += 0 < empty && empty < results.size();
-  sum.wrong_in_some += wrong > 0;
-  sum.wrong_in_all += wrong == results.size();
-  const double near_last_px = tallies[restricted(near_last_order(), input.planes)].moved_px;
-  if (near_last_px > sum.near_last_px) {
-    sum.near_last_px = near_last_px;
-    sum.farthest = index;
-  }
+  return tallies;
 }
 
-void merge(const RoundedOrders& part, RoundedOrders& whole) {
-  for (std::size_t o = 0; o < kOrders; ++o) whole.orders[o] += part.orders[o];
-  whole.triangles += part.triangles;
-  whole.differs += part.differs;
-  whole.appears += part.appears;
-  whole.wrong_in_some += part.wrong_in_some;
-  whole.wrong_in_all += part.wrong_in_all;
-  if (part.near_last_px > whole.near_last_px) {
-    whole.near_last_px = part.near_last_px;
-    whole.farthest = part.farthest;
+void add(const std::vector<OrderTally>& tallies, Outcode planes, std::size_t triangle,
+         RoundedOrders& sum) {
+  for (std::size_t o = 0; o < kOrders; ++o) {
+    sum.orders[o] += tallies[restricted(kAllOrders[o], planes)];
+  }
+  const auto wrong = std::ranges::count(tallies, 1, &OrderTally::wrong);
+  ++sum.triangles;
+  sum.differs += std::ranges::count(tallies, 1, &OrderTally::differs) > 0;
+  sum.wrong_in_some += wrong > 0;
+  sum.wrong_in_all += wrong == std::ssize(tallies);
+  const double near_last_px = tallies[restricted(kNearLast, planes)].moved_px;
+  if (near_last_px > sum.near_last_px) {
+    sum.near_last_px = near_last_px;
+    sum.farthest = triangle;
   }
 }
 
 // ---- Exact arithmetic ---------------------------------------------------------------------------
 
-using ExactPoints = std::vector<std::array<Exact, 4>>;
+using ExactPoints = std::vector<reference::RationalVertex>;
 
-// The distinct vertices, sorted; none if fewer than three, which enclose nothing.
-void normalise(ExactPoints& points) {
-  std::sort(points.begin(), points.end());
+// The distinct points, sorted; none if fewer than three, which enclose nothing.
+ExactPoints normalised(ExactPoints points) {
+  std::ranges::sort(points, std::less<>());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) points.clear();
+  return points;
 }
 
 ExactPoints points_of(const NdcPolygon<Exact, 0>& polygon) {
   ExactPoints points;
-  for (const auto& v : polygon) {
-    points.push_back({v.position[0], v.position[1], v.position[2], v.position[3]});
-  }
-  normalise(points);
-  return points;
-}
-
-ExactPoints points_of(const reference::ExactPolygon& polygon) {
-  ExactPoints points;
-  for (const auto& v : reference::vertex_set(polygon)) points.push_back({v.x, v.y, v.z, v.inv_w});
-  normalise(points);
-  return points;
+  for (const auto& [p, none] : polygon) points.push_back({p[0], p[1], p[2], p[3], {}});
+  return normalised(std::move(points));
 }
 
 // Whether the points, sorted or not, lie off one line on the screen.
 bool has_area(const ExactPoints& points) {
   for (std::size_t i = 2; i < points.size(); ++i) {
     const auto &a = points[0], &b = points[1], &c = points[i];
-    const Exact left = (b[0] - a[0]) * (c[1] - a[1]);
-    const Exact right = (b[1] - a[1]) * (c[0] - a[0]);
+    const Exact left = (b.x - a.x) * (c.y - a.y);
+    const Exact right = (b.y - a.y) * (c.x - a.x);
     if (left != right) return true;
   }
   return false;
 }
 
-ClipTriangle<Exact, 0> exact_triangle(const ClipTriangle<float, K>& triangle) {
-  ClipTriangle<Exact, 0> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (int c = 0; c < 4; ++c) result[i].position[c] = Exact(triangle[i].position[c]);
-  }
-  return result;
-}
-
-ExactOrders exact_orders(const TriangleSet& set, const CutTriangle& input,
-                         const reference::Truth& truth) {
+ExactOrders exact_orders(const CutTriangle& input, const reference::Truth& truth) {
   const auto results =
-      OrderTree<Exact, 0>::cut_all(set.depth, input.planes, exact_triangle(input.triangle));
-  ExactOrders tally;
-  tally.triangles = 1;
-  tally.runs = static_cast<std::int64_t>(results.size());
-  tally.mixed_w = std::any_of(input.triangle.begin(), input.triangle.end(),
-                              [](const auto& v) { return v.position[3] <= 0; });
+      OrderTree<Exact, 0>::cut_all(truth.volume().depth, input.planes, input.triangle);
+  ExactOrders tally{.triangles = 1, .runs = std::ssize(results)};
+  tally.mixed_w =
+      std::ranges::any_of(input.triangle, [](const auto& v) { return v.position[3] <= 0; });
   reference::InputTriangle triangle = reference::input_triangle(input.triangle);
   triangle.attribute_count = 0;
-  const ExactPoints right = points_of(reference::clip(truth, triangle));
+  const ExactPoints right = normalised(reference::vertex_set(reference::clip(truth, triangle)));
   const ExactPoints first = points_of(results.front().polygon);
   for (const auto& result : results) {
     const ExactPoints points = points_of(result.polygon);
-    const bool area = has_area(points) || has_area(first) || has_area(right);
-    if (points != first) {
-      tally.differs = 1;
-      tally.differs_in_area |= area;
-    }
-    tally.wrong |= area && points != right;
+    tally.differs |= points != first;
+    tally.wrong |= points != right && (has_area(points) || has_area(first) || has_area(right));
   }
   return tally;
 }
 
+// Adds the triangle if some plane cuts it and none rejects it. With all vertices inside nothing
+// would depend on an order.
+void add_if_cut(const FloatTriangle& triangle, TriangleSet& set) {
+  const OutcodeSummary code = summarize_outcodes(ClipVolume{.depth = set.depth}, triangle);
+  if (code.all == 0 && code.any != 0) set.triangles.push_back({triangle, code.any});
+}
+
+// position(i): four floats. Attributes: barycentric coordinates and 1.
+template <class Position>
+FloatTriangle triangle_of(const Position& position) {
+  FloatTriangle triangle{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::array<double, 4> p = position(i);
+    triangle[i].position = Vec4<float>(p[0], p[1], p[2], p[3]);
+    triangle[i].attributes[static_cast<int>(i)] = triangle[i].attributes[3] = 1;
+  }
+  return triangle;
+}
+
+void add_scene(const Scene& scene, TriangleSet& set) {
+  set.depth = scene.views.front().frustum.depth;
+  std::vector<SceneTriangle> triangles(scene.mesh.triangles.size());
+  for (const View& view : scene.views) {
+    view_triangles(scene, view, 0, triangles);
+    const Projection<double> projection(frustum_cast<double>(view.frustum));
+    for (const SceneTriangle& t : triangles) {
+      FloatTriangle clip;
+      for (std::size_t i = 0; i < 3; ++i) {
+        // Computed in double, each coordinate rounded to float once.
+        clip[i] = {Vec4<float>(to_clip(projection, Vec3<double>(t[i].position))), t[i].attributes};
+      }
+      add_if_cut(clip, set);
+    }
+  }
+}
+
+void add_hard_cases(TriangleSet& set) {
+  for (const HardCase& c : builtin_catalogue()) {
+    const bool plain = c.volume == ClipVolume{.depth = set.depth};
+    if (c.primitive != Primitive::triangle || c.space != Space::clip || !plain) continue;
+    add_if_cut(triangle_of([&](std::size_t i) { return c.vertices[i].position; }), set);
+  }
+}
+
 }  // namespace
 
-const Order& near_first_order() {
-  static constexpr Order kOrder = kPlaneOrder<PlaneOrder::near_first>;
-  return kOrder;
-}
-
-const Order& near_last_order() {
-  static constexpr Order kOrder = kPlaneOrder<PlaneOrder::near_last>;
-  return kOrder;
-}
-
 OrderTally& OrderTally::operator+=(const OrderTally& other) {
-  differs += other.differs;
-  other_outline += other.other_outline;
-  wrong += other.wrong;
-  overflowed += other.overflowed;
-  intersections += other.intersections;
+  for (const auto count : {&OrderTally::differs, &OrderTally::other_outline, &OrderTally::wrong,
+                           &OrderTally::overflowed, &OrderTally::intersections}) {
+    this->*count += other.*count;
+  }
   largest = std::max(largest, other.largest);
   moved_px = std::max(moved_px, other.moved_px);
   error_px = std::max(error_px, other.error_px);
@@ -253,40 +205,71 @@ OrderTally& OrderTally::operator+=(const OrderTally& other) {
 template <class T>
 RoundedOrders measure_rounded(const TriangleSet& set) {
   const auto truth = reference::Truth::of_clip(set.depth);
-  const std::size_t chunks = (set.triangles.size() + kChunk - 1) / kChunk;
-  std::vector<RoundedOrders> parts(chunks);
-  tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t c) {
-    const std::size_t end = std::min(set.triangles.size(), (c + 1) * kChunk);
-    for (std::size_t i = c * kChunk; i < end; ++i) {
-      add_triangle<T>(set, i, truth, parts[c]);
+  RoundedOrders sum{.scalar = kFormat<T>.name};
+  for (std::size_t first = 0; first < set.triangles.size(); first += kWindow) {
+    std::vector<std::vector<OrderTally>> parts(std::min(kWindow, set.triangles.size() - first));
+    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+      parts[i] = judge_orders<T>(set.triangles[first + i], truth);
+    });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      add(parts[i], set.triangles[first + i].planes, first + i, sum);
     }
-  });
-  RoundedOrders sum;
-  for (const RoundedOrders& part : parts) merge(part, sum);
+  }
   return sum;
 }
 
 template RoundedOrders measure_rounded<float>(const TriangleSet&);
 template RoundedOrders measure_rounded<double>(const TriangleSet&);
 
+ExactOrders& ExactOrders::operator+=(const ExactOrders& other) {
+  triangles += other.triangles;
+  mixed_w += other.mixed_w;
+  runs += other.runs;
+  differs += other.differs;
+  wrong += other.wrong;
+  return *this;
+}
+
 ExactOrders measure_exact(const TriangleSet& set, std::size_t limit) {
   const auto truth = reference::Truth::of_clip(set.depth);
-  const std::size_t all = set.triangles.size();
-  const std::size_t stride = all <= limit ? 1 : (all + limit - 1) / limit;
-  std::vector<ExactOrders> parts((all + stride - 1) / stride);
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
-    parts[i] = exact_orders(set, set.triangles[i * stride], truth);
-  });
+  const std::vector<CutTriangle> triangles = evenly_spaced(set.triangles, limit);
+  std::vector<ExactOrders> parts(triangles.size());
+  tbb::parallel_for(std::size_t{0}, parts.size(),
+                    [&](std::size_t i) { parts[i] = exact_orders(triangles[i], truth); });
   ExactOrders sum;
-  for (const ExactOrders& part : parts) {
-    sum.triangles += part.triangles;
-    sum.mixed_w += part.mixed_w;
-    sum.differs += part.differs;
-    sum.differs_in_area += part.differs_in_area;
-    sum.wrong += part.wrong;
-    sum.runs += part.runs;
-  }
+  for (const ExactOrders& part : parts) sum += part;
   return sum;
 }
 
-}  // namespace clipscope::experiments
+std::vector<std::string> set_names(const Selection& selection) {
+  std::vector<std::string> names =
+      selection.scenes_or({"soup_straddling", "soup_behind", "slivers", "floor", "corridor"});
+  names.insert(names.end(), {"mixed_w", "lattice", "hard_cases"});
+  return names;
+}
+
+TriangleSet make_set(const Selection& selection, const std::string& name, std::size_t limit) {
+  TriangleSet set{name, DepthRange::minus_one_to_one, {}};
+  Random random(selection.seed);
+  const auto add_random = [&](const auto& next) {
+    while (set.triangles.size() < limit) {
+      add_if_cut(triangle_of([&](std::size_t) {
+                   return std::array<double, 4>{next(), next(), next(), next()};
+                 }),
+                 set);
+    }
+  };
+  if (name == "mixed_w") {
+    add_random([&] { return random.uniform(-2, 2); });
+  } else if (name == "lattice") {
+    add_random([&] { return static_cast<double>(random.below(5)) - 2; });
+  } else if (name == "hard_cases") {
+    add_hard_cases(set);
+  } else {
+    add_scene(load_selected_scene(selection, name), set);
+  }
+  set.triangles = evenly_spaced(set.triangles, limit);
+  return set;
+}
+
+}  // namespace clipscope::experiments::plane_order

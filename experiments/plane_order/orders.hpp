@@ -2,41 +2,72 @@
 //
 // The 720 orders of the six planes, and what is left of a triangle by each of them.
 //
-// A plane that no vertex of the triangle is outside of cuts nothing, whichever vertices other planes
-// have made: these lie between the original ones. Clippers driven by outcodes leave such planes out, and
-// so does this: n planes that cut have n! orders that matter, and each of the 720 amounts to one of
-// them. They are walked as a tree, so that orders that begin alike share their cuts.
+// A plane that no vertex of the triangle is outside of cuts nothing, whichever vertices other
+// planes have made: these lie between the original ones. Clippers driven by outcodes leave such
+// planes out, and so does this: n planes that cut have n! orders that matter, and each of the 720
+// amounts to one of them. They are walked as a tree, so that orders that begin alike share their
+// cuts.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "experiments/scenes/scene.hpp"
 #include "spaces/cut.hpp"
 #include "spaces/homogeneous/divide.hpp"
+#include "spaces/homogeneous/sutherland_hodgman.hpp"
 #include "spaces/planes.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::plane_order {
+
+// Clip-space floats are the input: the question is about the cuts, so the rounding of the transform
+// is none of its errors.
+using FloatTriangle = ClipTriangle<float, kSceneAttributes>;
 
 using Order = std::array<Plane, kPlanes>;
 inline constexpr std::size_t kOrders = 720;
 
+// The order that the others are compared with: near, far, left, right, bottom, top.
+inline constexpr Order kNearFirst = kPlaneOrder<PlaneOrder::near_first>;
+// Left, right, bottom, top, far, near.
+inline constexpr Order kNearLast = kPlaneOrder<PlaneOrder::near_last>;
+
 // Sorted by the numbers of their planes.
-const std::array<Order, kOrders>& all_orders();
+inline constexpr std::array<Order, kOrders> kAllOrders = [] {
+  std::array<Order, kOrders> orders{};
+  Order order = kAllPlanes;
+  for (Order& o : orders) {
+    o = order;
+    std::ranges::next_permutation(order);
+  }
+  return orders;
+}();
 
 // "NFLRBT": the planes' initials, in order.
-std::string order_text(const Order& order);
+inline std::string order_text(const Order& order) {
+  std::string text;
+  for (const Plane plane : order) text += "LRBTNF"[static_cast<std::size_t>(plane)];
+  return text;
+}
 
-// The place of a plane in the order, from 1.
-std::size_t position_of(Plane plane, const Order& order);
-
-// Among the orders of the planes in the code, sorted as all_orders are, the number of the one to which
-// this order amounts.
-std::size_t restricted(const Order& order, Outcode planes);
+// Among the orders of the planes in the code, sorted as kAllOrders are, the number of the one to
+// which this order amounts.
+inline std::size_t restricted(const Order& order, Outcode planes) {
+  // Lexicographic rank: by Horner, each plane's number among those that are still to come.
+  std::size_t rank = 0, left = static_cast<std::size_t>(std::popcount(planes));
+  for (const Plane plane : order) {
+    if ((planes & bit(plane)) == 0) continue;
+    const Outcode smaller = planes & (bit(plane) - 1);
+    rank = rank * left-- + static_cast<std::size_t>(std::popcount(smaller));
+    planes &= ~bit(plane);
+  }
+  return rank;
+}
 
 // A triangle cut in one order.
 template <class T, int K>
@@ -50,13 +81,18 @@ struct OrderedCut {
 template <class T, int K>
 class OrderTree {
  public:
-  // Cuts by the planes of the code in each of their orders, through the code that the clippers use; the
-  // results are in the order of `restricted`.
+  // Cuts by the planes of the code in each of their orders, through the code that the clippers use;
+  // the results are in the order of `restricted`. The triangle's numbers are taken into T exactly,
+  // with its first K attributes.
   static std::vector<OrderedCut<T, K>> cut_all(DepthRange depth, Outcode planes,
-                                               const ClipTriangle<T, K>& triangle) {
+                                               const FloatTriangle& triangle) {
     OrderTree tree(depth);
     ClipPolygon<T, K> polygon;
-    polygon.assign(triangle);
+    for (const auto& [position, attributes] : triangle) {
+      ClipVertex<T, K> vertex{Vec4<T>(position), {}};
+      for (int k = 0; k < K; ++k) vertex.attributes[k] = T(attributes[k]);
+      polygon.push_back(vertex);
+    }
     tree.descend(polygon, planes, {});
     return std::move(tree.results_);
   }
@@ -81,16 +117,10 @@ class OrderTree {
             ++next.intersections;
             return interpolate(inside, outside, t);
           });
-      note_size(rest, next);
+      next.largest = std::max(next.largest, rest.size());
+      next.overflowed = next.overflowed || rest.overflowed() ||
+                        !std::ranges::all_of(rest, has_finite_position<Space::clip, T, K>);
       descend(rest, planes & ~bit(plane), next);
-    }
-  }
-
-  static void note_size(const ClipPolygon<T, K>& polygon, OrderedCut<T, K>& cut) {
-    cut.largest = std::max(cut.largest, polygon.size());
-    cut.overflowed = cut.overflowed || polygon.overflowed();
-    for (const ClipVertex<T, K>& v : polygon) {
-      cut.overflowed = cut.overflowed || !has_finite_position(v);
     }
   }
 
@@ -98,4 +128,4 @@ class OrderTree {
   std::vector<OrderedCut<T, K>> results_;
 };
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::plane_order

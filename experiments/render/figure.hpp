@@ -5,14 +5,22 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "experiments/render/heat_map.hpp"
 #include "experiments/render/image.hpp"
-#include "experiments/render/picture.hpp"
 #include "experiments/render/rasterizer.hpp"
 
 namespace clipscope::experiments {
+
+struct PictureOptions {
+  double cells_per_unit = 8;  // checkerboard cells per unit of u and of v
+};
+
+// The picture that a person looks at, of the frame buffer's size, shaded with a checkerboard: see
+// picture.cpp. Silhouettes are left as the rasterizer decided them.
+Image shade(const FrameBuffer& buffer, const PictureOptions& options = {});
 
 // ASCII; what is too long is set smaller.
 struct FigureTitles {
@@ -34,6 +42,18 @@ struct Figure {
 // Throws OutputError if there is no font (see canvas.hpp).
 Image compose(const Figure& figure);
 
+struct CaptionedImage {
+  std::string caption;  // ASCII
+  Image image;
+};
+
+// Pictures in a row on white, each under its caption, the last one a heat map with its scale
+// beneath.
+// Pre-condition: at least one panel; all images have the same size, at least 320 px wide.
+// Throws OutputError if there is no font.
+Image compose_row(const std::string& title, std::span<const CaptionedImage> panels,
+                  const HeatMap& map);
+
 // Throws UsageError, naming the option --out, unless the path ends in .png or .exr (in any case).
 void check_image_path(const std::filesystem::path& path);
 
@@ -41,7 +61,7 @@ void check_image_path(const std::filesystem::path& path);
 //   .png  the composed figure, 8 bit sRGB
 //   .exr  the data, pixel for pixel, in 32-bit float channels: R G B (the picture, linear light),
 //         depth, inv_w, u, v, facing (1 front, -1 back, 0 nothing), triangle (-1: none; exact below
-//         2^24); with a heat map also heat.R heat.G heat.B, error (in the measure's unit), fate (the
+//         2^24); with a heat map also heat.R heat.G heat.B, error (in texels), fate (the
 //         number of the PixelFate)
 // The file appears complete or not at all: it is written beside its place under the name with
 // ".partial" appended, and renamed.

@@ -2,7 +2,6 @@
 #include "experiments/render/heat_map.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 
@@ -15,35 +14,21 @@ constexpr double kTextureSize = 1024;
 constexpr std::array<std::uint32_t, 8> kScale = {0x440154, 0x482878, 0x3e4a89, 0x31688e,
                                                  0x26828e, 0x1f9e89, 0x35b779, 0x6dcd59};
 
-// Counts floats in order: neighbours differ by 1, and -0 equals 0.
-std::int64_t float_index(float x) {
-  const auto bits = std::bit_cast<std::int32_t>(x);
-  return bits >= 0 ? bits : -static_cast<std::int64_t>(bits & 0x7fffffff);
-}
+// In the order of PixelFate.
+constexpr std::array<std::uint32_t, kPixelFates> kFateColours = {
+    0x34363a, 0x000000, 0x000000, 0xff00ff, 0x00ffff, 0xffff00, 0xff2a00};
 
-double error_between(const FrameBuffer& tested, const FrameBuffer& truth, std::size_t pixel,
-                     PixelMeasure measure) {
-  if (measure == PixelMeasure::depth_ulp) {
-    const std::int64_t steps = float_index(tested.depth[pixel]) - float_index(truth.depth[pixel]);
-    return static_cast<double>(std::abs(steps));
-  }
-  const ScreenAttributes& a = tested.attributes[pixel];
-  const ScreenAttributes& b = truth.attributes[pixel];
+double error_between(const FrameBuffer& tested, const FrameBuffer& truth, std::size_t pixel) {
+  const ScreenAttributes &a = tested.attributes[pixel], &b = truth.attributes[pixel];
   return kTextureSize * std::max(std::abs(a[0] - b[0]), std::abs(a[1] - b[1]));
 }
 
 // The fate as far as coverage, finiteness and facing decide it; `equal` stands for the rest.
 PixelFate fate_before_error(const FrameBuffer& tested, const FrameBuffer& truth,
                             std::size_t pixel) {
-  if (!tested.covered(pixel)) {
-    return truth.covered(pixel) ? PixelFate::hole : PixelFate::empty;
-  }
-  if (!truth.covered(pixel)) {
-    return PixelFate::extra;
-  }
-  if (!tested.finite(pixel) || !truth.finite(pixel)) {
-    return PixelFate::not_finite;
-  }
+  if (!tested.covered(pixel)) return truth.covered(pixel) ? PixelFate::hole : PixelFate::empty;
+  if (!truth.covered(pixel)) return PixelFate::extra;
+  if (!tested.finite(pixel) || !truth.finite(pixel)) return PixelFate::not_finite;
   return tested.facing[pixel] == truth.facing[pixel] ? PixelFate::equal : PixelFate::flipped;
 }
 
@@ -57,9 +42,7 @@ void summarise(HeatMap& map) {
       above_one += map.error[i] > 1;
     }
   }
-  if (errors.empty()) {
-    return;
-  }
+  if (errors.empty()) return;
   map.counts.max_error = *std::ranges::max_element(errors);
   const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
   std::ranges::nth_element(errors, middle);
@@ -67,10 +50,8 @@ void summarise(HeatMap& map) {
   map.counts.share_above_one = static_cast<double>(above_one) / static_cast<double>(errors.size());
 }
 
-bool is_signal(PixelFate fate) {
-  return fate == PixelFate::hole || fate == PixelFate::extra || fate == PixelFate::flipped ||
-         fate == PixelFate::not_finite;
-}
+// hole, extra, flipped or not_finite.
+bool is_signal(PixelFate fate) { return fate >= PixelFate::hole; }
 
 // Paints the signal colours over the 3 x 3 neighbourhood of their pixels. A signal pixel keeps its
 // own colour; between neighbours of several fates the first in row order decides.
@@ -79,9 +60,7 @@ void dilate_signals(HeatMap& map) {
   const auto at = [&](int x, int y) { return static_cast<std::size_t>(y) * width + x; };
   for (int y = height - 1; y >= 0; --y) {
     for (int x = width - 1; x >= 0; --x) {
-      if (!is_signal(map.fate[at(x, y)])) {
-        continue;
-      }
+      if (!is_signal(map.fate[at(x, y)])) continue;
       for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v) {
         for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u) {
           if (!is_signal(map.fate[at(u, v)])) {
@@ -94,13 +73,6 @@ void dilate_signals(HeatMap& map) {
 }
 
 }  // namespace
-
-HeatMapOptions heat_map_options(PixelMeasure measure) {
-  if (measure == PixelMeasure::depth_ulp) {
-    return {.measure = measure, .lowest = 1, .highest = 1e8};
-  }
-  return {.measure = measure};
-}
 
 HeatMap compare(const FrameBuffer& tested, const FrameBuffer& truth,
                 const HeatMapOptions& options) {
@@ -115,7 +87,7 @@ HeatMap compare(const FrameBuffer& tested, const FrameBuffer& truth,
     map.fate[i] = fate_before_error(tested, truth, i);
     map.image.pixels[i] = fate_colour(map.fate[i]);
     if (map.fate[i] == PixelFate::equal) {
-      map.error[i] = error_between(tested, truth, i, options.measure);
+      map.error[i] = error_between(tested, truth, i);
       if (map.error[i] >= options.lowest) {
         map.fate[i] = PixelFate::error;
         map.image.pixels[i] = error_colour(scale_position(options, map.error[i]));
@@ -124,24 +96,11 @@ HeatMap compare(const FrameBuffer& tested, const FrameBuffer& truth,
   }
   summarise(map);
   map.counts.triangles_not_drawn = tested.not_finite;
-  if (options.dilate) {
-    dilate_signals(map);
-  }
+  if (options.dilate) dilate_signals(map);
   return map;
 }
 
-Rgb fate_colour(PixelFate fate) {
-  switch (fate) {
-    case PixelFate::empty: return from_hex(0x34363a);
-    case PixelFate::hole: return from_hex(0xff00ff);
-    case PixelFate::extra: return from_hex(0x00ffff);
-    case PixelFate::flipped: return from_hex(0xffff00);
-    case PixelFate::not_finite: return from_hex(0xff2a00);
-    case PixelFate::equal:
-    case PixelFate::error: break;
-  }
-  return {0, 0, 0};
-}
+Rgb fate_colour(PixelFate fate) { return from_hex(kFateColours[static_cast<std::size_t>(fate)]); }
 
 Rgb error_colour(double t) {
   const double last = kScale.size() - 1;
@@ -153,16 +112,6 @@ Rgb error_colour(double t) {
 
 double scale_position(const HeatMapOptions& options, double error) {
   return std::log(error / options.lowest) / std::log(options.highest / options.lowest);
-}
-
-std::string_view measure_label(PixelMeasure measure) {
-  return measure == PixelMeasure::texels
-             ? "texture coordinate error [texels of a 1024-texel texture]"
-             : "depth error [ulp]";
-}
-
-std::string_view measure_unit(PixelMeasure measure) {
-  return measure == PixelMeasure::texels ? "texel" : "ulp";
 }
 
 }  // namespace clipscope::experiments

@@ -5,8 +5,8 @@
 // Colours: an error is shown on a logarithmic viridis scale (Smith and van der Walt, 2015), whose
 // lightness grows with the error, in grey print too. Its brightest fifth is left out and the ground
 // is dark, so that the signal colours of categories (magenta, cyan, yellow, red) stay at least 24
-// apart in CIELAB from every error and from the ground, also with simulated protanopia, deuteranopia
-// and tritanopia (Machado, Oliveira and Fernandes, 2009).
+// apart in CIELAB from every error and from the ground, also with simulated protanopia,
+// deuteranopia and tritanopia (Machado, Oliveira and Fernandes, 2009).
 #pragma once
 
 #include <array>
@@ -20,17 +20,13 @@
 
 namespace clipscope::experiments {
 
-// What is compared where both buffers show the same side of something.
-enum class PixelMeasure {
-  texels,    // the larger of |du| and |dv|, times 1024: texels of a 1024-texel texture
-  depth_ulp  // depth: the number of floats between the two, in ulp
-};
-
-// The fate of a pixel of the tested buffer against the truth. One pixel has one fate: the first that
-// applies in the order hole, extra, not_finite, flipped; then equal or error.
+// The fate of a pixel of the tested buffer against the truth. One pixel has one fate: the first
+// that applies in the order hole, extra, not_finite, flipped; then equal or error. The error is the
+// larger of |du| and |dv| in texels of a 1024-texel texture, where both buffers show the same side
+// of something.
 enum class PixelFate : std::uint8_t {
   empty,       // neither is covered
-  equal,       // the error is below the colour scale (in depth: there is none)
+  equal,       // the error is below the colour scale
   error,       // the error is on the colour scale or above it
   hole,        // truth covered, tested not
   extra,       // tested covered, truth not
@@ -41,19 +37,18 @@ enum class PixelFate : std::uint8_t {
 inline constexpr int kPixelFates = 7;
 
 struct HeatMapOptions {
-  PixelMeasure measure = PixelMeasure::texels;
-  double lowest = 1e-5, highest = 1e3;  // ends of the colour scale, in the measure's unit
+  double lowest = 1e-5, highest = 1e3;  // ends of the colour scale, in texels
   bool dilate = true;  // draw holes, extras, flips and not finite pixels 3 px wide; counts are not
 };
 
-// The default options for a measure: a scale that covers what floats can do to it.
-HeatMapOptions heat_map_options(PixelMeasure measure);
+inline constexpr std::string_view kErrorLabel =
+    "texture coordinate error [texels of a 1024-texel texture]";
 
 struct HeatMapCounts {
   std::array<std::uint64_t, kPixelFates> pixels = {};  // by fate; their sum is the buffer's size
   double max_error = 0;        // over pixels whose fate is equal or error; 0 if there are none
-  double median_error = 0;     // over the same pixels (of an even number the upper one)
-  double share_above_one = 0;  // the share of them above one texel, or one ulp: 0 to 1
+  double median_error = 0;     // over the same pixels (the upper one of two)
+  double share_above_one = 0;  // the share of them above one texel: 0 to 1
 
   std::uint64_t triangles_not_drawn = 0;  // of the tested buffer: a vertex is not finite
 
@@ -65,7 +60,7 @@ struct HeatMap {
   HeatMapOptions options;
   Image image;
   std::vector<PixelFate> fate;
-  std::vector<double> error;  // in the measure's unit; 0 where the fate is neither equal nor error
+  std::vector<double> error;  // in texels; 0 where the fate is neither equal nor error
   HeatMapCounts counts;
 };
 
@@ -81,8 +76,5 @@ Rgb error_colour(double t);
 
 // Where an error lies on the scale: log(error/lowest) / log(highest/lowest). May leave [0, 1].
 double scale_position(const HeatMapOptions& options, double error);
-
-std::string_view measure_label(PixelMeasure measure);  // with the unit
-std::string_view measure_unit(PixelMeasure measure);
 
 }  // namespace clipscope::experiments

@@ -28,6 +28,10 @@ inline float linear_to_srgb(float linear) {
   return linear <= 0.0031308f ? linear * 12.92f : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
 }
 
+inline Rgb encoded(const Rgb& linear) {
+  return {linear_to_srgb(linear[0]), linear_to_srgb(linear[1]), linear_to_srgb(linear[2])};
+}
+
 // A colour written as in HTML: 0xrrggbb, sRGB.
 inline Rgb from_hex(std::uint32_t rgb) {
   const auto channel = [&](int shift) {
@@ -39,9 +43,7 @@ inline Rgb from_hex(std::uint32_t rgb) {
 // a + t (b - a).
 inline Rgb mix(const Rgb& a, const Rgb& b, float t) {
   Rgb r;
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    r[i] = a[i] + t * (b[i] - a[i]);
-  }
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = a[i] + t * (b[i] - a[i]);
   return r;
 }
 

@@ -2,13 +2,13 @@
 //
 // What OpenImageIO does for figures: text on pixels, and files.
 //
-// OpenImageIO brings some 250 shared libraries along, and a program linked with it takes 0.4 s to start. So it
-// works behind this interface in a module, openimageio.cpp, which is opened when the first picture is drawn.
+// OpenImageIO brings some 250 shared libraries along, and a program linked with it takes 0.4 s to
+// start. So it works behind this interface in a module, openimageio.cpp, which is opened when the
+// first picture is drawn.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,26 +27,13 @@ struct TextStyle {
   Rgb colour = {0, 0, 0};
 };
 
-struct Area {
-  int x = 0, y = 0, width = 0, height = 0;
-};
-
-// Pixels to draw on, from the top left; what lies beside them is left out. Texts are ASCII.
-class Pixels {
- public:
-  virtual ~Pixels() = default;
-  virtual void fill(const Area& box, const Rgb& colour) = 0;
-  virtual void paste(const Image& image, int x, int y, int scale) = 0;
-  virtual void text(int x, int y, const std::string& text, const TextStyle& style) = 0;
-  virtual Image image() const = 0;
-};
-
 enum class FileFormat : std::uint8_t {
   png,  // 8 bits per channel, sRGB
   exr   // 32-bit floats, compressed without loss
 };
 
-// What goes into a file: the values of all channels of a pixel, then the next pixel's, from the top left.
+// What goes into a file: the values of all channels of a pixel, then the next pixel's, from the top
+// left.
 struct Raster {
   int width = 0, height = 0;
   std::vector<std::string> channels;
@@ -56,9 +43,12 @@ struct Raster {
 class ImageLibrary {
  public:
   virtual ~ImageLibrary() = default;
-  virtual std::unique_ptr<Pixels> pixels(int width, int height) const = 0;  // black
-  // In pixels. Throws OutputError without a font.
+  // Texts are ASCII. Both throw OutputError without a font. The width is in pixels; the image is
+  // sRGB-encoded, so that text is blended as screens and browsers do, and what lies beside it is
+  // left out.
   virtual int text_width(const std::string& text, const TextStyle& style) const = 0;
+  virtual void draw_text(Image& image, int x, int y, const std::string& text,
+                         const TextStyle& style) const = 0;
   // What went wrong, if something did.
   virtual std::optional<std::string> write(const std::filesystem::path& path, FileFormat format,
                                            const Raster& raster,

@@ -32,9 +32,7 @@ bool is_nearer(DepthRange range, float a, float b) {
 
 Corner to_corner(const FrameBuffer& target, const ScreenVertex& v) {
   Corner c{(v.x * 0.5 + 0.5) * target.width, (0.5 - v.y * 0.5) * target.height, v.z, v.inv_w, {}};
-  for (int k = 0; k < kScreenAttributes; ++k) {
-    c.over_w[k] = v.attributes[k] * v.inv_w;
-  }
+  for (int k = 0; k < kScreenAttributes; ++k) c.over_w[k] = v.attributes[k] * v.inv_w;
   return c;
 }
 
@@ -49,12 +47,8 @@ double doubled_area(const Corner& a, const Corner& b, double x, double y) {
 
 // The first of `size` pixels whose centre is at or after the coordinate; `size` if there is none.
 int first_pixel(double coordinate, int size) {
-  if (!(coordinate > 0.5)) {
-    return 0;
-  }
-  if (coordinate > size - 0.5) {
-    return size;
-  }
+  if (!(coordinate > 0.5)) return 0;
+  if (coordinate > size - 0.5) return size;
   return static_cast<int>(std::ceil(coordinate - 0.5));
 }
 
@@ -72,9 +66,7 @@ struct Edge {
 };
 
 Edge edge_between(const Corner& a, const Corner& b) {
-  if (a.y <= b.y) {
-    return {a.x, a.y, b.x, b.y};
-  }
+  if (a.y <= b.y) return {a.x, a.y, b.x, b.y};
   return {b.x, b.y, a.x, a.y};
 }
 
@@ -88,9 +80,7 @@ void draw_pixel(FrameBuffer& target, std::size_t pixel, const Corners& c,
   const double d = usable ? weight[2] / sum : 1.0 / 3;
   const double z = c[0].z + b * (c[1].z - c[0].z) + d * (c[2].z - c[0].z);
   const auto depth = static_cast<float>(z);
-  if (target.covered(pixel) && !is_nearer(target.depth_range, depth, target.depth[pixel])) {
-    return;
-  }
+  if (target.covered(pixel) && !is_nearer(target.depth_range, depth, target.depth[pixel])) return;
   const double a = 1 - b - d;
   const double inv_w = a * c[0].inv_w + b * c[1].inv_w + d * c[2].inv_w;
   for (int k = 0; k < kScreenAttributes; ++k) {
@@ -104,11 +94,7 @@ void draw_pixel(FrameBuffer& target, std::size_t pixel, const Corners& c,
 }
 
 // The pixels [begin, end) of a row.
-struct Span {
-  int begin, end;
-};
-
-Span span_at(const std::array<Edge, 3>& edges, double y, int width) {
+std::pair<int, int> span_at(const std::array<Edge, 3>& edges, double y, int width) {
   double left = std::numeric_limits<double>::infinity();
   double right = -left;
   for (const Edge& edge : edges) {
@@ -127,9 +113,7 @@ void draw_triangle(FrameBuffer& target, const Corners& c, std::uint32_t triangle
     ++target.not_finite;
     return;
   }
-  if (area == 0) {
-    return;
-  }
+  if (area == 0) return;
   const double sign = area > 0 ? 1 : -1;
   const Facing facing = area < 0 ? Facing::front : Facing::back;
   const std::array<Edge, 3> edges = {edge_between(c[0], c[1]), edge_between(c[1], c[2]),
@@ -138,8 +122,8 @@ void draw_triangle(FrameBuffer& target, const Corners& c, std::uint32_t triangle
   const int row_end = first_pixel(std::max({c[0].y, c[1].y, c[2].y}), target.height);
   for (int row = row_begin; row < row_end; ++row) {
     const double y = row + 0.5;
-    const Span span = span_at(edges, y, target.width);
-    for (int column = span.begin; column < span.end; ++column) {
+    const auto [begin, end] = span_at(edges, y, target.width);
+    for (int column = begin; column < end; ++column) {
       const double x = column + 0.5;
       const std::array<double, 3> weight = {std::max(0.0, sign * doubled_area(c[1], c[2], x, y)),
                                             std::max(0.0, sign * doubled_area(c[2], c[0], x, y)),
@@ -170,9 +154,7 @@ bool FrameBuffer::finite(std::size_t pixel) const {
 
 void draw_polygon(FrameBuffer& target, std::span<const ScreenVertex> polygon,
                   std::uint32_t triangle) {
-  if (polygon.size() < 3) {
-    return;
-  }
+  if (polygon.size() < 3) return;
   Corners corners = {to_corner(target, polygon[0]), to_corner(target, polygon[1]), {}};
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     corners[2] = to_corner(target, polygon[i]);

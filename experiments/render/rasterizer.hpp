@@ -2,9 +2,9 @@
 //
 // Draws convex polygons given in NDC into a frame buffer of raw values: depth, attributes, facing.
 //
-// Source of the fill rule: OpenGL 4.6 specification, section 14.6.1, and the Direct3D 11 rasterization
-// rules (top-left). Of the interpolation: Heckbert and Moreton, "Interpolation for Polygon Texture
-// Mapping and Shading", 1991 (attribute/w and 1/w are linear on the screen).
+// Source of the fill rule: OpenGL 4.6 specification, section 14.6.1, and the Direct3D 11
+// rasterization rules (top-left). Of the interpolation: Heckbert and Moreton, "Interpolation for
+// Polygon Texture Mapping and Shading", 1991 (attribute/w and 1/w are linear on the screen).
 //
 // Guarantees: a pixel is drawn where its centre is inside; a centre on a shared edge belongs to
 // exactly one of the two triangles (top-left rule); the same calls give the same bits. Computes in

@@ -4,13 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <functional>
+#include <optional>
 #include <system_error>
-#include <utility>
 
-#include "experiments/errors.hpp"
+#include "experiments/machine/errors.hpp"
+#include "experiments/machine/files.hpp"
 #include "experiments/render/figure.hpp"
 #include "experiments/render/image_library.hpp"
 
@@ -18,13 +16,6 @@ namespace clipscope::experiments {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lower_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 Raster png_raster(const Image& image) {
   Raster r{image.width, image.height, {"R", "G", "B"}, {}};
@@ -37,99 +28,48 @@ Raster png_raster(const Image& image) {
   return r;
 }
 
-struct Channel {
-  std::string name;
-  std::function<double(std::size_t)> value;  // of a pixel
-};
-
-void add_rgb(std::vector<Channel>& channels, const std::string& prefix, const Image& image) {
-  for (int i = 0; i < 3; ++i) {
-    channels.push_back({prefix + "RGB"[i], [&image, i](std::size_t p) -> double {
-                          return image.pixels[p][static_cast<std::size_t>(i)];
-                        }});
-  }
-}
-
-void add_buffer(std::vector<Channel>& channels, const FrameBuffer& b) {
-  channels.push_back({"depth", [&b](std::size_t p) -> double { return b.depth[p]; }});
-  channels.push_back({"inv_w", [&b](std::size_t p) { return b.inv_w[p]; }});
-  channels.push_back({"u", [&b](std::size_t p) { return b.attributes[p][0]; }});
-  channels.push_back({"v", [&b](std::size_t p) { return b.attributes[p][1]; }});
-  channels.push_back({"facing", [&b](std::size_t p) {
-                        const double sign = b.facing[p] == Facing::front ? 1 : -1;
-                        return b.covered(p) ? sign : 0.0;
-                      }});
-  channels.push_back({"triangle", [&b](std::size_t p) {
-                        return b.triangle[p] == kNoTriangle ? -1.0
-                                                            : static_cast<double>(b.triangle[p]);
-                      }});
-}
-
 Raster exr_raster(const Figure& figure, const Image& picture) {
-  std::vector<Channel> channels;
-  add_rgb(channels, "", picture);
-  add_buffer(channels, *figure.tested);
-  if (const HeatMap* map = figure.heat_map; map != nullptr) {
-    add_rgb(channels, "heat.", map->image);
-    channels.push_back({"error", [map](std::size_t p) { return map->error[p]; }});
-    channels.push_back(
-        {"fate", [map](std::size_t p) { return static_cast<double>(map->fate[p]); }});
+  const FrameBuffer& b = *figure.tested;
+  const HeatMap* map = figure.heat_map;
+  Raster r{picture.width,
+           picture.height,
+           {"R", "G", "B", "depth", "inv_w", "u", "v", "facing", "triangle"},
+           {}};
+  if (map != nullptr) {
+    r.channels.insert(r.channels.end(), {"heat.R", "heat.G", "heat.B", "error", "fate"});
   }
-  Raster r{picture.width, picture.height, {}, {}};
-  for (const Channel& channel : channels) {
-    r.channels.push_back(channel.name);
-  }
-  r.values.reserve(picture.pixels.size() * channels.size());
-  for (std::size_t p = 0; p < picture.pixels.size(); ++p) {
-    for (const Channel& channel : channels) {
-      r.values.push_back(static_cast<float>(channel.value(p)));
-    }
+  r.values.reserve(b.pixels() * r.channels.size());
+  const auto add = [&](auto... values) { (r.values.push_back(static_cast<float>(values)), ...); };
+  const auto add_rgb = [&](const Rgb& colour) { add(colour[0], colour[1], colour[2]); };
+  for (std::size_t p = 0; p < b.pixels(); ++p) {
+    const int facing = b.facing[p] == Facing::none ? 0 : b.facing[p] == Facing::front ? 1 : -1;
+    add_rgb(picture.pixels[p]);
+    add(b.depth[p], b.inv_w[p], b.attributes[p][0], b.attributes[p][1], facing,
+        b.triangle[p] == kNoTriangle ? -1.0 : static_cast<double>(b.triangle[p]));
+    if (map == nullptr) continue;
+    add_rgb(map->image.pixels[p]);
+    add(map->error[p], static_cast<int>(map->fate[p]));
   }
   return r;
 }
 
-[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
-  throw OutputError(fmt::format("can't write {}: {}", path.string(), reason));
-}
-
-// A file name that is removed again unless it was renamed to its final one.
-class PartialFile {
- public:
-  explicit PartialFile(const fs::path& final_path)
-      : final_path_(final_path), path_(final_path.string() + ".partial") {}
-  PartialFile(const PartialFile&) = delete;
-  PartialFile& operator=(const PartialFile&) = delete;
-  ~PartialFile() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-
-  const fs::path& path() const { return path_; }
-  void rename() const {
-    std::error_code error;
-    fs::rename(path_, final_path_, error);
-    if (error) {
-      fail(final_path_, error.message());
-    }
-  }
-
- private:
-  fs::path final_path_, path_;
-};
-
+// Under another name first, so that the file appears complete or not at all.
 void write(const fs::path& path, FileFormat format, const Raster& raster,
            const std::string& title) {
-  const PartialFile partial(path);
-  if (const auto wrong = image_library().write(partial.path(), format, raster, title)) {
-    fail(path, *wrong);
-  }
-  partial.rename();
+  const fs::path partial = path.string() + ".partial";
+  std::optional<std::string> wrong = image_library().write(partial, format, raster, title);
+  std::error_code error;
+  if (!wrong) fs::rename(partial, path, error);
+  if (error) wrong = error.message();
+  if (!wrong) return;
+  fs::remove(partial, error);
+  throw OutputError(fmt::format("can't write {}: {}", path.string(), *wrong));
 }
 
 }  // namespace
 
 void check_image_path(const fs::path& path) {
-  const std::string extension = lower_extension(path);
+  const std::string extension = extension_of(path);
   if (extension != ".png" && extension != ".exr") {
     throw UsageError(
         fmt::format("--out {}: the extension must be .png (a figure) or .exr (the data per pixel)",
@@ -141,7 +81,7 @@ void write_image(const fs::path& path, const Figure& figure) {
   check_image_path(path);
   const FigureTitles& t = figure.titles;
   const std::string title = fmt::format("{}: {}, {}", t.scene, t.clipper, t.scalar);
-  if (lower_extension(path) == ".png") {
+  if (extension_of(path) == ".png") {
     write_png(path, compose(figure), title);
   } else {
     write(path, FileFormat::exr, exr_raster(figure, shade(*figure.tested, figure.picture)), title);

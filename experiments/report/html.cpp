@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/report/html.hpp"
+#include "experiments/report/report.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
-#include "experiments/report/utf8.hpp"
+#include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments {
 
@@ -40,6 +44,91 @@ std::string base64(std::string_view bytes) {
     }
   }
   return text;
+}
+
+namespace {
+
+constexpr std::size_t kLongText = 40;  // characters from which a text may break into lines
+
+// The look of a column: numbers, short texts, or texts that may break into lines.
+std::string class_of(const Table& table, std::size_t column) {
+  std::string look = "n";
+  for (const auto& row : table.rows()) {
+    const auto* text = std::get_if<std::string>(&row[column]);
+    if (text != nullptr && look != "long") look = text->size() > kLongText ? "long" : "short";
+  }
+  return look;
+}
+
+// As JavaScript's Number() reads it.
+std::string script_number(double value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
+  return fmt::format("{}", value);
+}
+
+std::string text_html(const std::string& text, const std::string& key,
+                      const std::set<std::string>& parts) {
+  if (key == "verdict") return verdict_html(text);
+  if (key != "experiment" || !parts.contains(text)) return html_escape(text);
+  return fmt::format("<a href=\"#{0}\">{0}</a>", html_escape(text));
+}
+
+// A cell from its attributes on, without its closing tag.
+std::string cell_html(const Cell& cell, const std::string& css, const std::string& key,
+                      const std::set<std::string>& parts) {
+  if (const auto* text = std::get_if<std::string>(&cell)) {
+    return fmt::format(" class=\"{}\">{}", css, text_html(*text, key, parts));
+  }
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) {
+    return fmt::format(" class=\"n\" data-v=\"{0}\">{0}", *count);
+  }
+  if (const auto* number = std::get_if<double>(&cell)) {
+    return fmt::format(" class=\"n\" data-v=\"{}\">{}", script_number(*number),
+                       format_number(*number));
+  }
+  return fmt::format(" class=\"{} nothing\">–", css);
+}
+
+}  // namespace
+
+std::string verdict_html(const std::string& verdict) {
+  const char* css = "";
+  if (verdict == "confirmed") css = " confirmed";
+  if (verdict == "refuted") css = " refuted";
+  if (verdict == "true only when") css = " partly";
+  return fmt::format("<span class=\"verdict{}\">{}</span>", css, html_escape(verdict));
+}
+
+std::string table_html(const Table& table, const std::set<std::string>& parts) {
+  const std::string id = "table-" + html_escape(table.name());
+  std::string html = fmt::format(
+      "<div class=\"table\">\n<p class=\"caption\" id=\"{0}\">{1}</p>\n"
+      "<div class=\"tools\" hidden><label>Filter <input type=\"search\" aria-describedby=\"{0}\"></label><span class=\"count\" aria-live=\"polite\"></span><button type=\"button\">Copy as CSV</button></div>\n"
+      "<div class=\"box\" role=\"region\" aria-labelledby=\"{0}\" tabindex=\"0\"><table aria-labelledby=\"{0}\">\n<thead><tr>",
+      id, html_escape(table.title()));
+  std::vector<std::string> css;
+  for (std::size_t c = 0; c < table.columns().size(); ++c) {
+    const Column& column = table.columns()[c];
+    css.push_back(class_of(table, c));
+    html += fmt::format(
+        "<th scope=\"col\" class=\"{}\" data-key=\"{}\"><button type=\"button\">{}</button></th>",
+        css.back(), html_escape(column.key), html_escape(column.head));
+  }
+  html += "</tr></thead>\n<tbody>\n";
+  for (const auto& row : table.rows()) {
+    html += "<tr>";
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::string cell = cell_html(row[c], css[c], table.columns()[c].key, parts);
+      html += (c == 0 ? "<th scope=\"row\"" : "<td") + cell + (c == 0 ? "</th>" : "</td>");
+    }
+    html += "</tr>\n";
+  }
+  html += "</tbody></table></div>\n<button type=\"button\" class=\"more\" hidden></button>\n";
+  for (const std::string& note : table.notes()) {
+    html += fmt::format("<p class=\"note\">{}</p>\n", html_escape(note));
+  }
+  return html + "</div>\n";
 }
 
 }  // namespace clipscope::experiments

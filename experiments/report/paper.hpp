@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the paper takes from a run: numbers, tables and figures, as its list of contents asks for them.
+// What the paper takes from a run: numbers, tables and figures, as its list of contents asks for
+// them.
 //
 // The list is a JSON object:
 //   "values"   [{"name": "Speed", "table": "cost", "column": "ns_per_triangle",
 //                "where": {"mix": "soup"}, "take": "max", "format": ".1f"}]
-//              a LaTeX macro \Speed of letters; take: first (default), min, max, sum, count; format: as in
-//              C++20 and fmt, default: three significant digits
-//   "tables"   [{"file": "cost", "table": "cost", "where": {…}, "columns": {"clipper": "Clipper", …},
-//                "align": "lrr", "long": false}]
+//              a LaTeX macro \Speed of letters; take: first (default), min, max, sum, count;
+//              format: as in C++20 and fmt, default: three significant digits
+//   "tables"   [{"file": "cost", "table": "cost", "where": {…}, "align": "lrr",
+//                "columns": {"clipper": "Clipper", …}, "long": false}]
 //              or, instead of columns, "pivot": {"rows": "clipper", "columns": "mix",
 //              "value": "ns_per_triangle", "head": "Clipper"}
 //   "figures"  ["cost", "pictures-floor.png"]: stems of plots, or files of pictures
@@ -23,7 +24,8 @@
 namespace clipscope::experiments {
 
 // Writes values.tex, a file for each table, and copies of the figures into `out`.
-// Errors: InputError naming the list's entry for what is wrong in it or is not in the run; OutputError.
+// Errors: InputError naming the list's entry for what is wrong in it or is not in the run;
+// OutputError.
 void write_paper_inputs(const ResultsStore& store, const std::filesystem::path& contents,
                         const std::filesystem::path& out);
 

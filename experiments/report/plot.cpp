@@ -10,14 +10,13 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 #include <string_view>
 
-#include "experiments/errors.hpp"
-#include "experiments/report/html.hpp"
-#include "experiments/report/plot_script.hpp"
-#include "experiments/report/table.hpp"
+#include "experiments/machine/errors.hpp"
+#include "experiments/machine/files.hpp"
+#include "experiments/report/plot_layout.hpp"
+#include "experiments/report/report.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -45,12 +44,6 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-std::string read_file(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 struct Ended {
   int error = 0;   // an errno: it could not be started
   int status = 0;  // as wait gives it
@@ -76,7 +69,8 @@ Ended run_gnuplot(const std::filesystem::path& folder) {
   return ended;
 }
 
-// The line of gnuplot's message that says what is wrong: after the line that it echoes and the caret.
+// The line of gnuplot's message that says what is wrong: after the line that it echoes and the
+// caret.
 std::string complaint(const std::string& said) {
   std::string last;
   std::istringstream lines(said);
@@ -93,21 +87,15 @@ void replace_all(std::string& text, std::string_view from, const std::string& to
   }
 }
 
-// Several plots may stand in one page, so that ids must differ; a title and a description for those who
-// can't see it.
+// Several plots may stand in one page, so that ids must differ; a title and a description for those
+// who can't see it.
 std::string finished_svg(std::string svg, const Plot& plot) {
   std::string id;
   for (const char c : plot.name) id += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  for (const char* const quote : {"'", "\""}) {
-    for (const char* const name : {"gp", "gnuplot_", "textbox", "greybox"}) {
-      replace_all(svg, fmt::format("id={}{}", quote, name),
-                  fmt::format("id={}{}_{}", quote, id, name));
-      replace_all(svg, fmt::format("href={}#{}", quote, name),
-                  fmt::format("href={}#{}_{}", quote, id, name));
+  for (const std::string before : {"id='", "id=\"", "href='#", "href=\"#", "url(#"}) {
+    for (const std::string name : {"gp", "gnuplot_", "textbox", "greybox"}) {
+      replace_all(svg, before + name, before + id + "_" + name);
     }
-  }
-  for (const char* const name : {"gp", "textbox", "greybox"}) {
-    replace_all(svg, fmt::format("url(#{}", name), fmt::format("url(#{}_{}", id, name));
   }
   // gnuplot takes the weight for a part of the family's name.
   replace_all(svg, "font-family=\"sans-serif:Bold\"",
@@ -148,12 +136,11 @@ void write_plot(const Plot& plot, const std::filesystem::path& directory) {
     throw OutputError(
         fmt::format("plot {}: gnuplot can't be started: {}", plot.name, std::strerror(error)));
   }
-  const std::string svg = read_file(folder.path() / "plot.svg");
-  const std::string pdf = read_file(folder.path() / "plot.pdf");
-  const std::string png = read_file(folder.path() / "plot.png");
+  const auto drawn = [&](const char* file) { return read_if_there(folder.path() / file); };
+  const std::string svg = drawn("plot.svg"), pdf = drawn("plot.pdf"), png = drawn("plot.png");
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || svg.empty() || pdf.empty() || png.empty()) {
-    throw OutputError(fmt::format("plot {}: gnuplot failed: {}", plot.name,
-                                  complaint(read_file(folder.path() / "said"))));
+    throw OutputError(
+        fmt::format("plot {}: gnuplot failed: {}", plot.name, complaint(drawn("said"))));
   }
   write_file(directory / (plot.name + ".svg"), finished_svg(svg, plot));
   write_file(directory / (plot.name + ".pdf"), dateless_pdf(pdf));

@@ -6,19 +6,19 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
+
+#include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
 constexpr double kCanvasWidth = 800;
 constexpr double kAreaHeight = 380;
-constexpr double kEdge = 14;     // free at the canvas's border
-constexpr double kTicRoom = 12;  // an outward tic and a blank
-constexpr double kKeyGap = 22;   // between entries
-constexpr double kThinning =
-    0.3;  // points nearer than this to the last drawn one say nothing new [px]
+constexpr double kEdge = 14;       // free at the canvas's border
+constexpr double kTicRoom = 12;    // an outward tic and a blank
+constexpr double kKeyGap = 22;     // between entries
+constexpr double kThinning = 0.3;  // px; a point nearer to the last drawn one says nothing new
 constexpr std::size_t kFewPoints = 400;
 
 void check(const Plot& plot) {
@@ -80,6 +80,13 @@ void set_scales(const Plot& plot, PlotLayout& layout) {
   }
   const bool bars = !plot.categories.empty();
   layout.y = make_scale(plot.y, y, {.bars = bars, .most_tics = 7});
+  // Intervals that reach to 0 or less end where a logarithmic axis ends.
+  for (auto& points : layout.points) {
+    for (DrawnPoint& p : points) {
+      if (!layout.y.can_show(p.low)) p.low = layout.y.low;
+      if (!layout.y.can_show(p.high)) p.high = layout.y.low;
+    }
+  }
   if (bars) {
     layout.x.low = -0.6;
     layout.x.high = static_cast<double>(plot.categories.size()) - 0.4;
@@ -89,33 +96,14 @@ void set_scales(const Plot& plot, PlotLayout& layout) {
   }
 }
 
-// Intervals that reach to 0 or less end where a logarithmic axis ends.
-void limit_intervals(PlotLayout& layout) {
-  for (auto& points : layout.points) {
-    for (DrawnPoint& p : points) {
-      if (!layout.y.can_show(p.low)) p.low = layout.y.low;
-      if (!layout.y.can_show(p.high)) p.high = layout.y.low;
-    }
-  }
-}
-
-// Lines of words, none wider than the canvas allows.
+// Lines of words, none wider than the canvas allows; bold letters are a tenth wider.
 void place_title(const std::string& title, PlotLayout& layout, double& top) {
-  const double most = kCanvasWidth - 2 * kEdge;
-  std::istringstream words(title);
-  std::string line;
-  const auto finish = [&] {
-    if (line.empty()) return;
+  const double most = (kCanvasWidth - 2 * kEdge) / (1.1 * text_width("x", kTitleSize));
+  for (const std::string& line : wrapped(title, static_cast<std::size_t>(most))) {
+    if (line.find_first_not_of(" \n\t") == std::string::npos) continue;
     layout.title.push_back({line, kEdge, top + kLineHeight / 2});
     top += kLineHeight;
-    line.clear();
-  };
-  for (std::string word; words >> word;) {
-    // Bold letters are a tenth wider.
-    if (!line.empty() && 1.1 * text_width(line + " " + word, kTitleSize) > most) finish();
-    line += (line.empty() ? "" : " ") + word;
   }
-  finish();
 }
 
 double key_sample(const Plot& plot, const Series& series) {
@@ -225,11 +213,8 @@ void place_point_labels(const Plot& plot, PlotLayout& layout) {
     if (!places[i]) continue;
     const LabelBox& box = places[i]->box;
     const double x = wanted[i].x, y = wanted[i].y;
-    layout.labels.push_back({{texts[i], box.left, (box.top + box.bottom) / 2},
-                             places[i]->distant,
-                             x,
-                             y,
-                             std::clamp(x, box.left, box.right),
+    const PlacedText text{texts[i], box.left, (box.top + box.bottom) / 2};
+    layout.labels.push_back({text, places[i]->distant, x, y, std::clamp(x, box.left, box.right),
                              std::clamp(y, box.top, box.bottom)});
   }
 }
@@ -256,18 +241,14 @@ void thin(PlotLayout& layout) {
 
 }  // namespace
 
-bool PlotLayout::empty() const {
-  return std::all_of(points.begin(), points.end(), [](const auto& p) { return p.empty(); });
-}
-
 PlotLayout lay_out(const Plot& plot) {
   check(plot);
   PlotLayout layout;
   layout.width = kCanvasWidth;
-  for (std::size_t i = 0; i < plot.series.size(); ++i)
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
     layout.points.push_back(drawn_points(plot, i));
+  }
   set_scales(plot, layout);
-  limit_intervals(layout);
   double top = kEdge / 2;
   place_title(plot.title, layout, top);
   top += 4;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/report/plot_script.hpp"
+#include "experiments/report/plot_layout.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,7 @@
 #include <array>
 #include <cctype>
 
-#include "experiments/report/plot_layout.hpp"
-#include "experiments/report/utf8.hpp"
+#include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -26,33 +25,22 @@ struct Look {
   const char* dashes = "";
 };
 
-// Okabe and Ito's colours, ordered so that neighbours differ in grey, too; yellow, too light for lines
-// on white, comes last.
+// Okabe and Ito's colours, ordered so that neighbours differ in grey, too; yellow, too light for
+// lines on white, comes last.
 Look look_of(const Plot& plot, std::size_t index) {
   static constexpr std::array<const char*, 8> kColours = {
       "#0072B2", "#E69F00", "#009E73", "#CC79A7", "#222222", "#56B4E9", "#D55E00", "#F0E442"};
-  struct Mark {
-    int type;
-    double size;
-  };
-  static constexpr std::array<Mark, 10> kMarks = {{{7, 0.8},
-                                                   {5, 0.75},
-                                                   {9, 0.95},
-                                                   {13, 0.9},
-                                                   {11, 0.95},
-                                                   {6, 0.85},
-                                                   {4, 0.8},
-                                                   {8, 0.95},
-                                                   {12, 0.9},
-                                                   {10, 0.95}}};
+  static constexpr std::pair<int, double> kMarks[] = {{7, 0.8},   {5, 0.75}, {9, 0.95}, {13, 0.9},
+                                                      {11, 0.95}, {6, 0.85}, {4, 0.8},  {8, 0.95},
+                                                      {12, 0.9},  {10, 0.95}};
   static constexpr std::array<const char*, 5> kDashes = {"solid", "(10,4)", "(3,3)", "(12,4,3,4)",
                                                          "(18,5)"};
   const bool muted = plot.series[index].muted;
   const auto before = static_cast<std::size_t>(
       std::count_if(plot.series.begin(), plot.series.begin() + static_cast<std::ptrdiff_t>(index),
                     [&](const Series& s) { return s.muted == muted; }));
-  const Mark mark = kMarks[(muted ? before + 5 : before) % kMarks.size()];
-  return {muted ? kMuted : kColours[before % kColours.size()], mark.type, mark.size,
+  const auto& [mark, size] = kMarks[(muted ? before + 5 : before) % std::size(kMarks)];
+  return {muted ? kMuted : kColours[before % kColours.size()], mark, size,
           kDashes[before % kDashes.size()]};
 }
 
@@ -86,9 +74,11 @@ class Script {
     return fmt::format("screen {:.5f},{:.5f}", x / layout_.width, 1 - y / layout_.height);
   }
 
-  void label(const PlacedText& text, double size, const std::string& more = "") {
-    line("set label {} at {} left font ',{}' textcolor rgb '{}' front {}",
-         gnuplot_string(text.text), screen(text.x, text.y), size, kInk, more);
+  // how: alignment, rotation and whether it lies in front.
+  void label(const std::string& text, const std::string& at, const std::string& how, double size,
+             const char* face = "", const char* colour = kInk) {
+    line("set label {} at {} {} font '{},{}' textcolor rgb '{}'", gnuplot_string(text), at, how,
+         face, size, colour);
   }
 
   // One block of numbers per series: x, y, low, high; an empty line where a line is to break.
@@ -133,31 +123,24 @@ class Script {
   void write_categories() {
     if (!bars()) return;
     line("unset xtics");
-    const double y = layout_.area.bottom + 14;
+    const std::string how =
+        layout_.slanted ? fmt::format("right rotate by {}", kCategoryAngle) : "center";
     for (std::size_t i = 0; i < plot_.categories.size(); ++i) {
-      const double x = layout_.x_px(static_cast<double>(i));
-      line("set label {} at {} {} font ',{}' textcolor rgb '{}'",
-           gnuplot_string(plot_.categories[i]), screen(layout_.slanted ? x + 4 : x, y),
-           layout_.slanted ? fmt::format("right rotate by {}", kCategoryAngle) : "center",
-           kFontSize, kInk);
+      const double x = layout_.x_px(static_cast<double>(i)) + (layout_.slanted ? 4 : 0);
+      label(plot_.categories[i], screen(x, layout_.area.bottom + 14), how, kFontSize);
     }
   }
 
   void write_texts() {
     for (const PlacedText& t : layout_.title) {
-      line("set label {} at {} left font 'sans-serif:Bold,{}' textcolor rgb '{}'",
-           gnuplot_string(t.text), screen(t.x, t.y), kTitleSize, kInk);
+      label(t.text, screen(t.x, t.y), "left", kTitleSize, "sans-serif:Bold");
     }
     const LabelBox& a = layout_.area;
     const double middle_x = (a.left + a.right) / 2, middle_y = (a.top + a.bottom) / 2;
-    line("set label {} at {} center font ',{}' textcolor rgb '{}'", gnuplot_string(plot_.x.label),
-         screen(middle_x, layout_.height - 16), kFontSize, kInk);
-    line("set label {} at {} center rotate by 90 font ',{}' textcolor rgb '{}'",
-         gnuplot_string(plot_.y.label), screen(layout_.y_label_x, middle_y), kFontSize, kInk);
-    if (layout_.empty()) {
-      line("set label 'no value can be shown' at {} center font ',{}' textcolor rgb '{}'",
-           screen(middle_x, middle_y), kFontSize, kMuted);
-    }
+    label(plot_.x.label, screen(middle_x, layout_.height - 16), "center", kFontSize);
+    label(plot_.y.label, screen(layout_.y_label_x, middle_y), "center rotate by 90", kFontSize);
+    if (!layout_.empty()) return;
+    label("no value can be shown", screen(middle_x, middle_y), "center", kFontSize, "", kMuted);
   }
 
   void write_key() {
@@ -167,8 +150,7 @@ class Script {
       const double right = entry.text.x - kKeyBlank, left = right - entry.sample, y = entry.text.y;
       if (bars()) {
         line(
-            "set object rectangle from {} to {} front fillstyle solid 1 border lc rgb '{}' "
-            "fillcolor rgb '{}' lw 0.5",
+            "set object rectangle from {} to {} front fillstyle solid 1 border lc rgb '{}' fillcolor rgb '{}' lw 0.5",
             screen(left, y + 6), screen(right, y - 6), kInk, look.colour);
       } else if (series.marks != Marks::points) {
         line("set arrow from {} to {} nohead front lc rgb '{}' lw 2 dashtype {}", screen(left, y),
@@ -178,34 +160,30 @@ class Script {
         line("set label '' at {} front point pt {} ps {} lc rgb '{}' lw 1.5",
              screen((left + right) / 2, y), look.mark, look.mark_size, look.colour);
       }
-      label(entry.text, kFontSize);
+      label(entry.text.text, screen(entry.text.x, y), "left front", kFontSize);
     }
   }
 
   void write_point_labels() {
     for (const PlacedLabel& l : layout_.labels) {
-      label(l.text, kLabelSize);
+      label(l.text.text, screen(l.text.x, l.text.y), "left front", kLabelSize);
       if (!l.distant) continue;
       line("set arrow from {} to {} nohead back lc rgb '{}' lw 0.75", screen(l.point_x, l.point_y),
            screen(l.line_x, l.line_y), kMuted);
     }
   }
 
-  // What gnuplot draws of one series.
+  // What gnuplot draws of one series: its marks lie on its intervals, its bars beneath them.
   std::vector<std::string> clauses(std::size_t index) const {
     if (layout_.points[index].empty()) return {};
-    const std::string marks = bars() ? bar_clause(index) : marks_clause(index);
     const std::string intervals = interval_clause(index);
-    if (intervals.empty()) return {marks};
-    if (bars()) return {marks, intervals};
-    return {intervals, marks};
-  }
-
-  std::string bar_clause(std::size_t index) const {
-    return fmt::format(
-        "$series{} using 1:2:({}) with boxes fillstyle solid 1 border lc rgb '{}' "
-        "fillcolor rgb '{}' lw 0.5",
-        index, layout_.bar_width * 0.94, kInk, look_of(plot_, index).colour);
+    if (bars()) {
+      const std::string boxes = fmt::format(
+          "$series{} using 1:2:({}) with boxes fillstyle solid 1 border lc rgb '{}' fillcolor rgb '{}' lw 0.5",
+          index, layout_.bar_width * 0.94, kInk, look_of(plot_, index).colour);
+      return {boxes, intervals};
+    }
+    return {intervals, marks_clause(index)};
   }
 
   std::string marks_clause(std::size_t index) const {
@@ -237,13 +215,11 @@ class Script {
     const bool curve = !bars() && (marks == Marks::line || marks == Marks::steps);
     if (curve && points.size() > kFewIntervals) {
       return fmt::format(
-          "$intervals{} using 1:3:4 with filledcurves fillstyle transparent solid 0.18 noborder "
-          "fillcolor rgb '{}'",
+          "$intervals{} using 1:3:4 with filledcurves fillstyle transparent solid 0.18 noborder fillcolor rgb '{}'",
           index, colour);
     }
     return fmt::format(
-        "$intervals{} using 1:3:(0):($4-$3) with vectors heads size screen 0.005,90 fixed nofilled "
-        "front lc rgb '{}' lw 1.25",
+        "$intervals{} using 1:3:(0):($4-$3) with vectors heads size screen 0.005,90 fixed nofilled front lc rgb '{}' lw 1.25",
         index, bars() ? kInk : colour);
   }
 
@@ -254,6 +230,7 @@ class Script {
       for (std::size_t i = 0; i < plot_.series.size(); ++i) {
         if (plot_.series[i].muted != muted) continue;
         for (const std::string& clause : clauses(i)) {
+          if (clause.empty()) continue;
           command += (command.empty() ? "plot " : ", ") + clause + " notitle";
         }
       }
@@ -265,21 +242,17 @@ class Script {
     const double w = layout_.width, h = layout_.height;
     const std::string command = plot_command();
     line(
-        "set terminal svg size {:.0f},{:.0f} dynamic noenhanced font 'sans-serif,{}' background "
-        "'#ffffff'",
+        "set terminal svg size {:.0f},{:.0f} dynamic noenhanced font 'sans-serif,{}' background '#ffffff'",
         w, h, kFontSize);
     line("set output 'plot.svg'\n{}\nunset output", command);
-    // 125 px to the inch: 6.4 in wide, the text of a page with its margins. A font's point is 1/72 in,
-    // which this terminal takes for 1/96: 72 / 125 * 72 / 96 = 0.432.
+    // 125 px to the inch: 6.4 in wide, the text of a page with its margins. A font's point is 1/72
+    // in, which this terminal takes for 1/96: 72 / 125 * 72 / 96 = 0.432.
     line(
-        "set terminal pdfcairo size {:.3f}in,{:.3f}in noenhanced font 'sans-serif,{}' fontscale "
-        "0.432 "
-        "linewidth 1.2 pointscale 0.6",
+        "set terminal pdfcairo size {:.3f}in,{:.3f}in noenhanced font 'sans-serif,{}' fontscale 0.432 linewidth 1.2 pointscale 0.6",
         w / 125, h / 125, kFontSize);
     line("set output 'plot.pdf'\n{}\nunset output", command);
     line(
-        "set terminal pngcairo size {:.0f},{:.0f} noenhanced font 'sans-serif,{}' fontscale 1.5 "
-        "linewidth 2 pointscale 2",
+        "set terminal pngcairo size {:.0f},{:.0f} noenhanced font 'sans-serif,{}' fontscale 1.5 linewidth 2 pointscale 2",
         2 * w, 2 * h, kFontSize);
     line("set output 'plot.png'\n{}\nunset output", command);
   }

@@ -1,37 +1,109 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/report/report.hpp"
 
-#include <fstream>
-#include <sstream>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string_view>
+
+#include "experiments/machine/files.hpp"
+#include "experiments/report/page_assets.hpp"
+#include "experiments/store/run_folder.hpp"
 
 namespace clipscope::experiments {
+
 namespace {
+
+constexpr std::size_t kFewPictures = 12;  // more are shown folded
 
 // What people ask of a run; the store keeps more, to compare runs by.
 constexpr const char* kShown[] = {"machine", "compiler", "flags",   "version",
                                   "commit",  "seed",     "started", "command"};
 
-std::string read_file(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
+constexpr const char* kClaims = "claims";
+
+using Experiments = std::vector<StoredExperiment>;
+
+std::string unreadable(const StoredFigure& figure) {
+  return fmt::format("<p class=\"missing\">{} can't be read.</p>\n", html_escape(figure.file));
 }
 
-std::string type_of(const std::filesystem::path& path) {
-  return path.extension() == ".svg" ? "image/svg+xml" : "image/png";
+// Everything up to the root element goes: in a page there is no XML declaration. The picture gets a
+// name for those who can't see it.
+std::string plot_html(const StoredFigure& figure, const std::string& bytes) {
+  const std::size_t begin = bytes.find("<svg");
+  if (begin == std::string::npos) return unreadable(figure);
+  return fmt::format(
+      "<figure class=\"plot\"><div tabindex=\"0\"><svg role=\"img\" aria-label=\"{}\"{}</div>\n<figcaption>{}</figcaption></figure>\n",
+      html_escape(figure.title + ". " + figure.caption), bytes.substr(begin + 4),
+      html_escape(figure.caption));
 }
 
-ReportFigure figure_of(const StoredFigure& stored, const std::filesystem::path& directory) {
-  const std::filesystem::path path = directory / stored.file;
-  return {.plot = stored.kind == FigureKind::plot,
-          .type = type_of(path),
-          .bytes = read_file(path),
-          .file = stored.file,
-          .title = stored.title,
-          .caption = stored.caption};
+// Width and height of a PNG, so that the page needs not move when it is shown (PNG specification,
+// 5.2 and 11.2.2: eight bytes of signature, length and name of IHDR, then two numbers of four
+// bytes).
+std::string size_attributes(const std::string& png) {
+  if (png.size() < 24) return "";
+  const auto number = [&](std::size_t at) {
+    unsigned value = 0;
+    for (const char c : png.substr(at, 4)) value = value << 8 | static_cast<unsigned char>(c);
+    return value;
+  };
+  return fmt::format(" width=\"{}\" height=\"{}\"", number(16), number(20));
 }
 
-Table table_of(const std::string& experiment, const std::vector<WorstInput>& inputs) {
+std::string picture_html(const StoredFigure& figure, const std::string& bytes) {
+  if (bytes.empty()) return unreadable(figure);
+  const bool is_png = !figure.file.ends_with(".svg");
+  return fmt::format(
+      "<figure><button type=\"button\" title=\"Enlarge\"><img loading=\"lazy\" decoding=\"async\" alt=\"{0}\"{1} src=\"data:{2};base64,{3}\"></button>\n<figcaption>{0}</figcaption></figure>\n",
+      html_escape(figure.caption.empty() ? figure.file : figure.caption),
+      is_png ? size_attributes(bytes) : "", is_png ? "image/png" : "image/svg+xml", base64(bytes));
+}
+
+std::string album_html(const std::string& pictures, std::size_t count) {
+  if (count == 0) return "";
+  const std::string html = "<div class=\"pictures\">\n" + pictures + "</div>\n";
+  if (count <= kFewPictures) return "<h3>Pictures</h3>\n" + html;
+  return fmt::format("<details class=\"album\"><summary>{} pictures</summary>\n{}</details>\n",
+                     count, html);
+}
+
+std::string command_html(const std::string& command) {
+  if (command.empty()) return "";
+  return fmt::format(
+      "<h3>Do it again</h3>\n<div class=\"command\"><pre><code>{}</code></pre><button type=\"button\" hidden>Copy</button></div>\n",
+      html_escape(command));
+}
+
+std::string finding_html(const StoredExperiment& experiment) {
+  if (!experiment.finished) {
+    return "<p class=\"missing\">The run ended, or is, in the middle of this experiment; what it had finished is below.</p>\n";
+  }
+  if (experiment.finding.empty()) return "<p class=\"missing\">This run left no finding.</p>\n";
+  return fmt::format("<p class=\"finding\"><b>Finding</b>{}</p>\n",
+                     html_escape(experiment.finding));
+}
+
+// How many claims got which verdict.
+std::string tally_html(const Table& claims) {
+  std::map<std::string, int> counts;
+  std::vector<std::string> order = {"confirmed", "true only when", "refuted", "undecided"};
+  for (const auto& row : claims.rows()) ++counts[format_cell(row[place_of(claims, "verdict")])];
+  for (const auto& [verdict, count] : counts) {
+    if (std::ranges::find(order, verdict) == order.end()) order.push_back(verdict);
+  }
+  std::string html;
+  for (const std::string& verdict : order) {
+    if (counts[verdict] == 0) continue;
+    html += fmt::format("<li>{} {}</li>", counts[verdict], verdict_html(verdict));
+  }
+  return html.empty() ? "" : "<ul class=\"tally\">" + html + "</ul>\n";
+}
+
+Table worst_inputs_table(const std::string& experiment, const std::vector<WorstInput>& inputs) {
   Table table(experiment + "_worst_inputs", "Inputs on which each contestant was farthest off",
               {{"clipper", "clipper"},
                {"scalar", "scalar"},
@@ -45,44 +117,114 @@ Table table_of(const std::string& experiment, const std::vector<WorstInput>& inp
   return table;
 }
 
-ReportExperiment experiment_of(const ResultsStore& store, const StoredExperiment& stored,
-                               const std::filesystem::path& directory) {
-  ReportExperiment experiment{.name = stored.name,
-                              .question = stored.question,
-                              .command = stored.command,
-                              .finding = stored.finding,
-                              .seconds = stored.seconds,
-                              .finished = stored.finished,
-                              .tables = {}};
-  for (const std::string& name : store.table_names(stored.name)) {
-    experiment.tables.push_back(store.table(name));
+std::string section_html(const ResultsStore& store, const std::filesystem::path& directory,
+                         const StoredExperiment& experiment, const std::set<std::string>& parts) {
+  const std::string& name = experiment.name;
+  std::string html = fmt::format(
+      "<section id=\"{0}\" aria-labelledby=\"{0}-head\">\n<h2 id=\"{0}-head\"><a class=\"anchor\" href=\"#{0}\">{0}</a></h2>\n<p class=\"question\">{1}</p>\n",
+      html_escape(name), html_escape(experiment.question));
+  std::string plots, pictures, tally, main_table, tables;
+  std::size_t count = 0;  // of pictures
+  for (const StoredFigure& figure : store.figures(name)) {
+    const std::string bytes = read_if_there(directory / figure.file);
+    if (figure.kind == FigureKind::plot) {
+      plots += plot_html(figure, bytes);
+    } else {
+      pictures += picture_html(figure, bytes);
+      ++count;
+    }
   }
-  for (const StoredFigure& figure : store.figures(stored.name)) {
-    experiment.figures.push_back(figure_of(figure, directory));
+  for (const StoredTable& stored : store.tables()) {
+    if (stored.experiment != name) continue;
+    const Table table = store.table(stored.name);
+    // The table that answers the question is called by the experiment's name.
+    (stored.name == name ? main_table : tables) += table_html(table, parts);
+    if (stored.name == name && name == kClaims) tally = tally_html(table);
   }
-  const std::vector<WorstInput> inputs = store.worst_inputs(stored.name);
-  if (!inputs.empty()) experiment.more_tables.push_back(table_of(stored.name, inputs));
-  return experiment;
+  html += tally + finding_html(experiment) + plots + main_table + tables;
+  html += album_html(pictures, count);
+  const std::vector<WorstInput> inputs = store.worst_inputs(name);
+  if (!inputs.empty()) {
+    const Table table = worst_inputs_table(name, inputs);
+    html += fmt::format("<details><summary>{}</summary>\n{}</details>\n",
+                        html_escape(table.title()), table_html(table));
+  }
+  return html + command_html(experiment.command) + "</section>\n";
+}
+
+std::string header_html(const RunInfo& run) {
+  std::string html =
+      "<header>\n<h1>Where should a triangle be clipped?</h1>\n<p class=\"subtitle\">Results of one run of clipscope: clippers in view space, clip space and the canonical view volume, judged by exact arithmetic.</p>\n<dl class=\"run\">\n";
+  for (const char* name : kShown) {
+    const std::string value = value_of(run, name);
+    if (value.empty()) continue;
+    html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, html_escape(value));
+  }
+  return html + "</dl>\n</header>\n";
+}
+
+std::string contents_html(const Experiments& experiments) {
+  std::string html =
+      "<nav aria-label=\"Contents\"><details open><summary>Contents</summary><ol>\n"
+      "<li><a href=\"#findings\">Findings</a></li>\n";
+  for (const StoredExperiment& e : experiments) {
+    html += fmt::format("<li><a href=\"#{0}\">{0}</a></li>\n", html_escape(e.name));
+  }
+  return html + "</ol></details></nav>\n";
+}
+
+// Every experiment's finding in one place.
+std::string findings_html(const Experiments& experiments) {
+  std::string html =
+      "<section id=\"findings\" aria-labelledby=\"findings-head\">\n<h2 id=\"findings-head\">Findings</h2>\n";
+  std::string items;
+  for (const StoredExperiment& e : experiments) {
+    if (e.finding.empty()) continue;
+    items += fmt::format("<li><a href=\"#{0}\">{0}</a><span>{1}</span></li>\n", html_escape(e.name),
+                         html_escape(e.finding));
+  }
+  if (items.empty()) {
+    return html + "<p class=\"missing\">This run left no finding.</p>\n</section>\n";
+  }
+  return html + "<ul class=\"findings\">\n" + items + "</ul>\n</section>\n";
+}
+
+// The template with each {{name}} replaced; what replaces it is not looked at again.
+std::string filled(std::string_view text, const std::map<std::string, std::string>& values) {
+  std::string result;
+  for (std::size_t open = text.find("{{"); open != std::string_view::npos; open = text.find("{{")) {
+    const std::size_t close = text.find("}}", open);
+    result += text.substr(0, open);
+    result += values.at(std::string(text.substr(open + 2, close - open - 2)));
+    text.remove_prefix(close + 2);
+  }
+  return result.append(text);
 }
 
 }  // namespace
 
-ReportContent content_of(const ResultsStore& store, const std::filesystem::path& directory) {
-  ReportContent content;
-  const RunInfo info = store.run_info();
-  for (const char* name : kShown) {
-    for (const auto& [key, value] : info) {
-      if (key == name) content.run.emplace_back(key, value);
-    }
-  }
-  for (const StoredExperiment& stored : store.experiments()) {
-    content.experiments.push_back(experiment_of(store, stored, directory));
-  }
-  return content;
+std::string report_page(const ResultsStore& store, const std::filesystem::path& directory) {
+  Experiments experiments = store.experiments();
+  std::set<std::string> parts;
+  for (const StoredExperiment& e : experiments) parts.insert(e.name);
+  std::stable_partition(experiments.begin(), experiments.end(),
+                        [](const StoredExperiment& e) { return e.name == kClaims; });
+  std::string body =
+      contents_html(experiments) + header_html(store.run_info()) + "<main id=\"content\">\n";
+  auto rest = experiments.begin();
+  if (parts.contains(kClaims)) body += section_html(store, directory, *rest++, parts);
+  body += findings_html(experiments);
+  for (; rest != experiments.end(); ++rest) body += section_html(store, directory, *rest, parts);
+  body +=
+      "</main>\n<footer>Written by <span class=\"name\">clipscope report</span> from the run's results.sqlite; it needs no other file.</footer>\n";
+  return filled(kPageHtml, {{"title", "clipscope: where should a triangle be clipped?"},
+                            {"style", kPageCss},
+                            {"script", kPageJs},
+                            {"body", std::move(body)}});
 }
 
 void write_report(const ResultsStore& store, const std::filesystem::path& directory) {
-  write_report_page(content_of(store, directory), directory / kReportFile);
+  write_file(directory / kReportFile, report_page(store, directory));
 }
 
 }  // namespace clipscope::experiments

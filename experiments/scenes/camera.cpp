@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Frusta, look-at matrices and the automatic walk.
 #include "experiments/scenes/camera.hpp"
 
 #include <fmt/core.h>
@@ -10,11 +8,13 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
 
-#include "experiments/errors.hpp"
+#include "experiments/machine/errors.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -33,12 +33,6 @@ bool are_parallel(const dvec3& a, const dvec3& b) {
   return glm::length(glm::cross(a, b)) <= kParallelSine * glm::length(a) * glm::length(b);
 }
 
-void require_finite(const char* option, const std::optional<dvec3>& v) {
-  if (v && !(std::isfinite(v->x) && std::isfinite(v->y) && std::isfinite(v->z))) {
-    throw UsageError(fmt::format("{}: {} is not a finite point", option, text(*v)));
-  }
-}
-
 void require_positive(const char* option, const std::optional<double>& v) {
   if (v && !(*v > 0 && std::isfinite(*v))) {
     throw UsageError(fmt::format("{}: {} given; it takes a finite number > 0", option, *v));
@@ -46,64 +40,59 @@ void require_positive(const char* option, const std::optional<double>& v) {
 }
 
 void check(const CameraOptions& options) {
-  require_finite("--eye", options.eye);
-  require_finite("--target", options.target);
-  require_finite("--up", options.up);
+  for (const auto& [option, v] :
+       {std::pair{"--eye", options.eye}, {"--target", options.target}, {"--up", options.up}}) {
+    if (v && !(std::isfinite(v->x) && std::isfinite(v->y) && std::isfinite(v->z))) {
+      throw UsageError(fmt::format("{}: {} is not a finite point", option, text(*v)));
+    }
+  }
   require_positive("--near", options.near);
   require_positive("--far", options.far);
-  if (options.up && *options.up == dvec3(0)) {
-    throw UsageError("--up: (0, 0, 0) given; it takes a direction");
-  }
+  if (options.up == dvec3(0)) throw UsageError("--up: (0, 0, 0) given; it takes a direction");
   if (options.walk < 1) {
     throw UsageError(
         fmt::format("--walk: {} given; it takes a number of views, at least 1", options.walk));
   }
 }
 
-// What the walk needs to know of a mesh.
+// What the views look at.
 struct Subject {
   const Mesh& mesh;
+  const CameraOptions& options;
   Box box;
   dvec3 centre;   // what the views look at
   double radius;  // half the diagonal of the box, or 1 for a mesh that is a single point
+  double near;    // of views from nearby
 
-  Subject(const Mesh& m, const CameraOptions& options)
-      : mesh(m), box(bounding_box(m)), centre(options.target.value_or(box.centre())) {
+  Subject(const Mesh& m, const CameraOptions& o)
+      : mesh(m), options(o), box(bounding_box(m)), centre(o.target.value_or(box.centre())) {
     const double half_diagonal = 0.5 * glm::length(box.size());
     radius = half_diagonal > 0 ? half_diagonal : 1.0;
+    const double far = o.far.value_or(std::numeric_limits<double>::infinity());
+    near = o.near.value_or(std::min(radius / 100, far / 1000));
   }
 
   // The largest distance from a point to the box.
   double reach(const dvec3& from) const {
-    const dvec3 far_corner = glm::max(glm::abs(from - box.lo), glm::abs(from - box.hi));
-    return glm::length(far_corner);
+    return glm::length(glm::max(glm::abs(from - box.lo), glm::abs(from - box.hi)));
   }
 };
 
-dvec3 up_for(const dvec3& forward, const CameraOptions& options) {
-  if (options.up) {
-    return *options.up;
-  }
-  return are_parallel(forward, dvec3(0, 1, 0)) ? dvec3(0, 0, 1) : dvec3(0, 1, 0);
-}
-
-double near_of(const Subject& subject, const CameraOptions& options) {
-  if (options.near) {
-    return *options.near;
-  }
-  const double near = subject.radius / 100;
-  return options.far ? std::min(near, *options.far / 1000) : near;
-}
+// Where a view looks from and to.
+struct Look {
+  dvec3 eye, target;
+};
 
 // `depth` is where the far plane lies by default.
-View place(std::string label, const Subject& subject, const CameraOptions& options,
-           const dvec3& eye, const dvec3& target, double depth) {
-  const double near =
-      options.near.value_or(std::max(near_of(subject, options), depth / kMostFarPerNear));
+View make_view(std::string label, const Subject& subject, const Look& look, double depth) {
+  const CameraOptions& options = subject.options;
+  const double near = options.near.value_or(std::max(subject.near, depth / kMostFarPerNear));
   const double far = options.far.value_or(std::max(depth, 2 * near));
   Frustum<float> frustum = perspective_frustum(options.fovy_degrees, options.aspect, near, far);
   frustum.depth = options.depth;
-  return {std::move(label), look_at(eye, target, up_for(target - eye, options)), frustum};
+  const dvec3 y(0, 1, 0), z(0, 0, 1);
+  const dvec3 up = options.up.value_or(are_parallel(look.target - look.eye, y) ? z : y);
+  return {std::move(label), look_at(look.eye, look.target, up), frustum};
 }
 
 // The digits of n in the base, mirrored at the point: evenly spread over (0, 1) as n counts up.
@@ -116,104 +105,92 @@ double radical_inverse(int base, int n) {
   return value;
 }
 
-// The n-th of a fixed sequence of directions, spread over the sphere, upwards for even n and downwards
-// for odd n; never along an axis.
+// The n-th of a fixed sequence of directions, spread over the sphere, upwards for even n and
+// downwards for odd n; never along an axis.
 dvec3 spread_direction(int n) {
   const double x = 2 * radical_inverse(2, n + 1) - 0.9, z = 2 * radical_inverse(5, n + 1) - 0.85;
   const double y = 0.2 + radical_inverse(3, n + 1);
   return glm::normalize(dvec3(x, n % 2 == 0 ? y : -y, z));
 }
 
-// A fixed choice of triangles with an area, spread over the mesh; the first triangle if none has one.
+// A fixed choice of triangles with an area, spread over the mesh; the first triangle if none has
+// one.
 std::array<dvec3, 3> spread_triangle(const Mesh& mesh, int n) {
   const auto count = mesh.triangles.size();
   const auto start =
       static_cast<std::size_t>(radical_inverse(2, n + 1) * static_cast<double>(count));
   std::array<dvec3, 3> corners;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto& indices = mesh.triangles[(start + i) % count];
-    for (int k = 0; k < 3; ++k) {
-      const auto& p = mesh.positions[indices[k]];
-      corners[k] = dvec3(p[0], p[1], p[2]);
-    }
-    if (!are_parallel(corners[1] - corners[0], corners[2] - corners[0])) {
-      break;
-    }
+    std::ranges::transform(mesh.triangles[(start + i) % count], corners.begin(),
+                           [&](std::uint32_t corner) { return point_of(mesh, corner); });
+    if (!are_parallel(corners[1] - corners[0], corners[2] - corners[0])) break;
   }
   return corners;
 }
 
-View from_outside(int n, const Subject& subject, const CameraOptions& options) {
-  const double half_angle = options.fovy_degrees * std::numbers::pi / 360;
-  const double narrow = std::atan(std::tan(half_angle) * std::min(1.0, options.aspect));
+Look from_outside(int n, const Subject& subject) {
+  const double half_angle = subject.options.fovy_degrees * std::numbers::pi / 360;
+  const double narrow = std::atan(std::tan(half_angle) * std::min(1.0, subject.options.aspect));
   const double distance = 1.05 * subject.radius / std::sin(narrow);
-  const dvec3 eye = subject.centre + spread_direction(n) * distance;
-  return place(fmt::format("{}: outside", n), subject, options, eye, subject.centre,
-               1.01 * subject.reach(eye));
+  return {subject.centre + spread_direction(n) * distance, subject.centre};
 }
 
-View from_close_by(int n, const Subject& subject, const CameraOptions& options) {
-  const dvec3 eye = subject.centre + spread_direction(n) * (0.8 * subject.radius);
-  return place(fmt::format("{}: close", n), subject, options, eye, subject.centre,
-               1.01 * subject.reach(eye));
+Look from_close_by(int n, const Subject& subject) {
+  return {subject.centre + spread_direction(n) * (0.8 * subject.radius), subject.centre};
 }
 
 // The centroid of a triangle in the middle of the near rectangle, the view direction oblique to the
 // triangle: its near plane cuts the triangle.
-View through_surface(int n, const Subject& subject, const CameraOptions& options, bool cut_far) {
-  const std::array<dvec3, 3> corners = spread_triangle(subject.mesh, n);
-  const dvec3 centroid = (corners[0] + corners[1] + corners[2]) / 3.0;
-  const dvec3 along = corners[1] - corners[0];
-  dvec3 forward = along == dvec3(0) ? dvec3(0, 0, -1) : glm::normalize(along);
+Look through_surface(int n, const Subject& subject) {
+  const auto& up = subject.options.up;
+  const auto [a, b, c] = spread_triangle(subject.mesh, n);
+  const dvec3 centroid = (a + b + c) / 3.0;
+  dvec3 forward = b == a ? dvec3(0, 0, -1) : glm::normalize(b - a);
   const dvec3 inwards = subject.centre - centroid;
   if (glm::length(inwards) > 0 && !are_parallel(inwards, forward)) {
     forward = glm::normalize(forward + glm::normalize(inwards));
   }
-  if (options.up && are_parallel(forward, *options.up)) {
+  if (up && are_parallel(forward, *up)) {
     forward = glm::normalize(forward + 0.1 * spread_direction(n));
   }
-  const dvec3 eye = centroid - near_of(subject, options) * forward;
-  const double depth = cut_far ? 0.5 * subject.reach(eye) : 1.01 * subject.reach(eye);
-  return place(fmt::format("{}: {}", n, cut_far ? "through, short far" : "through"), subject,
-               options, eye, eye + forward * subject.radius, depth);
+  const dvec3 eye = centroid - subject.near * forward;
+  return {eye, eye + forward * subject.radius};
 }
 
-View from_inside(int n, const Subject& subject, const CameraOptions& options) {
+Look from_inside(int n, const Subject& subject) {
   const dvec3 eye = subject.centre + 0.25 * spread_direction(n) * subject.box.size();
-  const dvec3 target = eye + spread_direction(n + 1) * subject.radius;
-  return place(fmt::format("{}: inside", n), subject, options, eye, target,
-               1.01 * subject.reach(eye));
+  return {eye, eye + spread_direction(n + 1) * subject.radius};
 }
 
-View walk_view(int n, const Subject& subject, const CameraOptions& options) {
-  switch (n % 6) {
-    case 0:
-    case 1: return from_outside(n, subject, options);
-    case 2: return from_close_by(n, subject, options);
-    case 3: return through_surface(n, subject, options, false);
-    case 4: return from_inside(n, subject, options);
-    default: return through_surface(n, subject, options, true);
-  }
+// The views of the walk, again and again: what they are called, where they look, and where the far
+// plane lies, as a share of the distance to the far end of the box.
+struct Stop {
+  const char* name;
+  Look (*look)(int n, const Subject&);
+  double depth;
+};
+constexpr std::array kStops = {
+    Stop{"outside", from_outside, 1.01}, Stop{"outside", from_outside, 1.01},
+    Stop{"close", from_close_by, 1.01},  Stop{"through", through_surface, 1.01},
+    Stop{"inside", from_inside, 1.01},   Stop{"through, short far", through_surface, 0.5}};
+
+View walk_view(int n, const Subject& subject) {
+  const auto& [name, look_of, depth] = kStops[static_cast<std::size_t>(n) % kStops.size()];
+  const Look look = look_of(n, subject);
+  return make_view(fmt::format("{}: {}", n, name), subject, look, depth * subject.reach(look.eye));
 }
 
-View single_view(const Subject& subject, const CameraOptions& options) {
-  const dvec3& eye = *options.eye;
-  dvec3 target = subject.centre;
-  if (eye == target && !options.target) {
+View single_view(const dvec3& eye, const Subject& subject) {
+  const dvec3& target = subject.centre;
+  if (eye == target && !subject.options.target) {
     throw UsageError(
         fmt::format("--eye: {} is the centre of the mesh: give a --target", text(eye)));
   }
-  return place("eye", subject, options, eye, target,
-               1.01 * std::max(subject.reach(eye), glm::length(target - eye)));
+  return make_view("eye", subject, {eye, target},
+                   1.01 * std::max(subject.reach(eye), glm::length(target - eye)));
 }
 
 }  // namespace
-
-bool is_camera_set(const CameraOptions& options) {
-  CameraOptions unset;
-  unset.depth = options.depth;
-  return options != unset;
-}
 
 Frustum<float> perspective_frustum(double fovy_degrees, double aspect, double near, double far) {
   if (!(fovy_degrees > 0 && fovy_degrees < 180)) {
@@ -227,19 +204,15 @@ Frustum<float> perspective_frustum(double fovy_degrees, double aspect, double ne
     throw UsageError(
         fmt::format("--near: {} given; it must be less than far, which is {}", near, far));
   }
-  const double top = near * std::tan(fovy_degrees * std::numbers::pi / 360);
-  Frustum<float> f;
-  f.top = static_cast<float>(top);
-  f.bottom = -f.top;
-  f.right = static_cast<float>(top * aspect);
-  f.left = -f.right;
-  f.near = static_cast<float>(near);
-  f.far = static_cast<float>(far);
+  const double height = near * std::tan(fovy_degrees * std::numbers::pi / 360);
+  const auto top = static_cast<float>(height), right = static_cast<float>(height * aspect);
+  const Frustum<float> f{
+      ProjectionKind::perspective, -right, right, -top, top, static_cast<float>(near),
+      static_cast<float>(far)};
   if (!is_valid(f) || !std::isfinite(f.top) || !std::isfinite(f.right) || !std::isfinite(f.far)) {
-    throw UsageError(
-        fmt::format("--near: {} and far {} with --fovy {} and --aspect {} enclose no "
-                    "volume once rounded to float; move near and far apart",
-                    near, far, fovy_degrees, aspect));
+    throw UsageError(fmt::format(
+        "--near: {} and far {} with --fovy {} and --aspect {} enclose no volume once rounded to float; move near and far apart",
+        near, far, fovy_degrees, aspect));
   }
   return f;
 }
@@ -257,14 +230,8 @@ glm::dmat4 look_at(const dvec3& eye, const dvec3& target, const dvec3& up) {
   const dvec3 back = -glm::normalize(forward);
   const dvec3 right = glm::normalize(glm::cross(up, back));
   const dvec3 upright = glm::cross(back, right);
-  const std::array<dvec3, 3> rows = {right, upright, back};
-  glm::dmat4 m(1.0);
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      m[column][row] = rows[row][column];
-    }
-    m[3][row] = -glm::dot(rows[row], eye);
-  }
+  glm::dmat4 m(glm::transpose(glm::dmat3(right, upright, back)));
+  m[3] = {-glm::dot(right, eye), -glm::dot(upright, eye), -glm::dot(back, eye), 1};
   return m;
 }
 
@@ -272,13 +239,9 @@ std::vector<View> make_views(const Mesh& mesh, const CameraOptions& options) {
   assert(!mesh.triangles.empty() && !mesh.positions.empty());
   check(options);
   const Subject subject(mesh, options);
-  if (options.eye) {
-    return {single_view(subject, options)};
-  }
+  if (options.eye) return {single_view(*options.eye, subject)};
   std::vector<View> views;
-  for (int n = 0; n < options.walk; ++n) {
-    views.push_back(walk_view(n, subject, options));
-  }
+  for (int n = 0; n < options.walk; ++n) views.push_back(walk_view(n, subject));
   return views;
 }
 

@@ -29,13 +29,10 @@ struct CameraOptions {
   friend bool operator==(const CameraOptions&, const CameraOptions&) = default;
 };
 
-// Whether an option other than `depth` differs from its default.
-bool is_camera_set(const CameraOptions& options);
-
 // The symmetric perspective frustum: top = near tan(fovy / 2), right = aspect top, each computed in
 // double and rounded to float once. These floats *are* the frustum.
-// Errors: UsageError naming the option unless 0 < fovy < 180, 0 < aspect and 0 < near < far hold, also
-// after rounding.
+// Errors: UsageError naming the option unless 0 < fovy < 180, 0 < aspect and 0 < near < far hold,
+// also after rounding.
 Frustum<float> perspective_frustum(double fovy_degrees, double aspect, double near, double far);
 
 // World to view: the eye goes to the origin, the target onto the negative z axis, up into the half
@@ -47,9 +44,9 @@ glm::dmat4 look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::d
 //   one whose near plane cuts the mesh in the middle of the picture,
 //   one from within the bounding box, with parts of the mesh behind the eye,
 //   one whose near and far planes both cut the mesh.
-// A near or far that is not given is chosen from the bounding box: near is 1/100 of its half diagonal,
-// or more for an eye far away, so that far / near stays below 1e5; far lies behind all of the box (in
-// the last of the six: halfway through it).
+// A near or far that is not given is chosen from the bounding box: near is 1/100 of its half
+// diagonal, or more for an eye far away, so that far / near stays below 1e5; far lies behind all of
+// the box (in the last of the six: halfway through it).
 // Errors: UsageError naming the option and what it takes.
 // Pre-condition: the mesh has a triangle.
 std::vector<View> make_views(const Mesh& mesh, const CameraOptions& options);

@@ -1,75 +1,85 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A glTF 2.0 file in pieces: its JSON, and the bytes of all its buffers.
+// A glTF 2.0 file in pieces: its JSON, whose parts are asked for by name, and the bytes of all its
+// buffers.
 //
 // Source: Khronos Group, "glTF 2.0 Specification", 2021 (ISO/IEC 12113:2022).
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "experiments/scenes/text_file.hpp"
 
 namespace clipscope::experiments {
 
-// A JSON document whose parts are asked for by name; everything that is missing or of the wrong kind
-// throws InputError with the file and the place in the document, such as "accessors[3].count".
-class GltfDocument {
+class GltfValue;
+
+struct Gltf {
+  std::string name;  // in messages
+  nlohmann::json root;
+  // Where each buffer begins within `bytes`; one more for the end.
+  std::vector<std::size_t> buffer_start = {};
+  std::string bytes = {};  // all buffers end to end
+
+  // A member at the top of the document.
+  GltfValue operator[](const char* member) const;
+};
+
+// A value of the JSON, or that there is none at its place, such as "accessors[3].count". A value
+// that is missing or of the wrong kind throws InputError with the file and the place.
+class GltfValue {
  public:
   using Json = nlohmann::json;
 
-  // Errors: InputError where the text is no JSON object.
-  GltfDocument(std::string name, std::string_view text);
+  // json: null if there is no value. The file must outlive this.
+  GltfValue(const Gltf& file, const Json* json, std::string place)
+      : file_(file), json_(json), place_(std::move(place)) {}
 
-  [[noreturn]] void fail(const std::string& message) const;
+  // Throws InputError "FILE: PLACE MESSAGE".
+  template <class... Args>
+  [[noreturn]] void fail(fmt::format_string<Args...> message, Args&&... args) const {
+    refuse(file_.name, "{} {}", place_, fmt::format(message, std::forward<Args>(args)...));
+  }
 
-  const Json& root() const { return root_; }
-  // How many objects a list at the top of the document has; 0 where it is missing.
-  std::size_t count_of(const char* list) const;
-  // The i-th object of such a list, and what messages call it. Pre-condition: i < count_of(list).
-  const Json& object_of(const char* list, std::size_t i) const;
-  static std::string place(const char* list, std::size_t i);
+  explicit operator bool() const { return json_ != nullptr; }
+  const Json& operator*() const { return *json_; }
+  const Json* operator->() const { return json_; }
+  const Gltf& file() const { return file_; }
+  const std::string& place() const { return place_; }
 
-  // A whole number >= 0; `otherwise` where it is missing.
-  std::size_t size_in(const Json& object, const char* name, const std::string& at,
-                      std::optional<std::size_t> otherwise = std::nullopt) const;
-  // An index into a list; none where it is missing.
-  std::optional<std::size_t> index_in(const Json& object, const char* name, const char* list,
-                                      const std::string& at) const;
-  // The same where it must not be missing.
-  std::size_t required_index_in(const Json& object, const char* name, const char* list,
-                                const std::string& at) const;
-  // A list of indices into another list; empty where it is missing.
-  std::vector<std::size_t> indices_in(const Json& object, const char* name, const char* list,
-                                      const std::string& at) const;
-  // `count` finite numbers, or nothing where they are missing.
-  void require_numbers(const Json& object, const char* name, std::size_t count,
-                       const std::string& at) const;
+  // A member; none where this is none or no object.
+  GltfValue operator[](const char* name) const;
+  // The number of elements of a list; 0 where there is none.
+  std::size_t size() const;
+  // An element of a list, which must be an object. Pre-condition: i < size().
+  GltfValue object_at(std::size_t i) const;
+
+  // A whole number >= 0; `otherwise` where there is none.
+  std::size_t number(std::optional<std::size_t> otherwise = std::nullopt) const;
+  // An index into a list at the top of the document.
+  std::size_t index_into(const char* list) const;
+  // A list of such indices; empty where there is none.
+  std::vector<std::size_t> indices_into(const char* list) const;
+  // Fails unless it is a list of `count` finite numbers, or none.
+  void require_numbers(std::size_t count) const;
 
  private:
-  void require_index(std::size_t index, const char* list, const std::string& at) const;
+  void require_index(std::size_t index, const char* list) const;
 
-  std::string name_;
-  Json root_;
-};
-
-struct Gltf {
-  GltfDocument document;
-  std::vector<std::size_t> buffer_start;  // of each buffer within `bytes`; one more for the end
-  std::string bytes;                      // all buffers end to end
+  const Gltf& file_;
+  const Json* json_;
+  std::string place_;
 };
 
 // Takes a .gltf or .glb file apart and loads its buffers: those of the file itself, those given as
 // data URIs, and those in files next to it.
 // Errors: InputError where a part is missing, truncated or shorter than announced.
-Gltf read_gltf(const std::filesystem::path& path, std::string_view content);
-
-// Checks everything that concerns the geometry of the default scene and yields it as a binary glTF
-// file of one buffer. Materials, animations, skins, cameras and extensions are left out.
-// Errors: InputError.
-std::string geometry_of(const Gltf& gltf);
+Gltf read_gltf(const std::string& name, std::string_view content);
 
 }  // namespace clipscope::experiments

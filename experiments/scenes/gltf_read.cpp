@@ -1,29 +1,81 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Takes glTF files apart: chunks, JSON and buffers.
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <cctype>
+#include <charconv>
 #include <cstdint>
-#include <optional>
-#include <utility>
 
-#include "experiments/errors.hpp"
-#include "experiments/scenes/file_bytes.hpp"
+#include "experiments/machine/files.hpp"
 #include "experiments/scenes/gltf.hpp"
 
 namespace clipscope::experiments {
+
+GltfValue Gltf::operator[](const char* member) const { return GltfValue(*this, &root, "")[member]; }
+
+GltfValue GltfValue::operator[](const char* name) const {
+  const Json* member = nullptr;
+  if (json_ != nullptr && json_->is_object() && json_->contains(name)) member = &json_->at(name);
+  return {file_, member, place_.empty() ? name : fmt::format("{}.{}", place_, name)};
+}
+
+std::size_t GltfValue::size() const {
+  if (json_ == nullptr) return 0;
+  if (!json_->is_array()) fail("is no list");
+  return json_->size();
+}
+
+GltfValue GltfValue::object_at(std::size_t i) const {
+  const GltfValue object(file_, &json_->at(i), fmt::format("{}[{}]", place_, i));
+  if (!object->is_object()) object.fail("is no object");
+  return object;
+}
+
+std::size_t GltfValue::number(std::optional<std::size_t> otherwise) const {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 40;  // so that products of two fit
+  if (json_ == nullptr && otherwise) return *otherwise;
+  if (json_ == nullptr || !json_->is_number_unsigned() || json_->get<std::uint64_t>() > kMost) {
+    fail("is {}; a whole number >= 0 expected", json_ == nullptr ? "missing" : json_->dump());
+  }
+  return json_->get<std::size_t>();
+}
+
+std::size_t GltfValue::index_into(const char* list) const {
+  if (json_ == nullptr) fail("is missing");
+  require_index(number(), list);
+  return number();
+}
+
+std::vector<std::size_t> GltfValue::indices_into(const char* list) const {
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Json& index = (*json_)[i];
+    if (!index.is_number_unsigned()) fail("holds {}; whole numbers expected", index.dump());
+    require_index(indices.emplace_back(index.get<std::size_t>()), list);
+  }
+  return indices;
+}
+
+void GltfValue::require_numbers(std::size_t count) const {
+  const auto is_sound = [](const Json& j) {
+    return j.is_number() && defect_of(j.get<double>()).empty();
+  };
+  if (json_ == nullptr) return;
+  if (!json_->is_array() || json_->size() != count || !std::ranges::all_of(*json_, is_sound)) {
+    fail("is not a list of {} numbers that a float can hold", count);
+  }
+}
+
+void GltfValue::require_index(std::size_t index, const char* list) const {
+  const std::size_t count = file_[list].size();
+  if (index >= count) fail("refers to {}[{}], but the file has {} {}", list, index, count, list);
+}
+
 namespace {
 
 constexpr std::size_t kGlbHeaderBytes = 12, kChunkHeaderBytes = 8;
 
 std::size_t word_at(std::string_view bytes, std::size_t offset) {
-  std::size_t value = 0;
-  for (std::size_t i = 4; i-- > 0;) {
-    value = value << 8 | static_cast<unsigned char>(bytes[offset + i]);
-  }
-  return value;
+  return value_at<std::uint32_t>(bytes, offset);
 }
 
 // The parts of a binary file; a text file is all JSON.
@@ -32,72 +84,62 @@ struct Chunks {
   std::optional<std::string_view> binary;
 };
 
-class ChunkReader {
- public:
-  ChunkReader(const std::string& name, std::string_view content) : name_(name), content_(content) {}
-
-  Chunks read() {
-    if (!content_.starts_with("glTF")) {
-      return {content_, std::nullopt};
-    }
-    if (content_.size() < kGlbHeaderBytes) {
-      fail(fmt::format("{} bytes are too few for a binary glTF file: it is truncated",
-                       content_.size()));
-    }
-    if (word_at(content_, 4) != 2) {
-      fail(fmt::format("the binary glTF version is {}; 2 expected", word_at(content_, 4)));
-    }
-    if (word_at(content_, 8) != content_.size()) {
-      fail(fmt::format("the header announces {} bytes, but the file has {}", word_at(content_, 8),
-                       content_.size()));
-    }
-    Chunks chunks;
-    chunks.json = next_chunk("JSON");
-    if (offset_ < content_.size()) {
-      chunks.binary = next_chunk(std::string_view("BIN\0", 4));
-    }
-    return chunks;
+Chunks chunks_of(const std::string& name, std::string_view content) {
+  if (!content.starts_with("glTF")) return {content, std::nullopt};
+  if (content.size() < kGlbHeaderBytes) {
+    refuse(name, "{} bytes are too few for a binary glTF file: it is truncated", content.size());
   }
-
- private:
-  std::string_view next_chunk(std::string_view type) {
-    const std::size_t start = offset_ + kChunkHeaderBytes;
-    if (start > content_.size() || word_at(content_, offset_) > content_.size() - start) {
-      fail(fmt::format("the chunk at byte {} reaches past the end of the file", offset_));
-    }
-    if (content_.substr(offset_ + 4, 4) != type) {
-      fail(fmt::format("the chunk at byte {} is not of type {}", offset_,
-                       type.substr(0, type.find('\0'))));
-    }
-    const std::size_t length = word_at(content_, offset_);
-    offset_ = start + length;
-    return content_.substr(start, length);
+  if (word_at(content, 4) != 2) {
+    refuse(name, "the binary glTF version is {}; 2 expected", word_at(content, 4));
   }
-
-  [[noreturn]] void fail(const std::string& message) const {
-    throw InputError(fmt::format("{}: {}", name_, message));
+  if (word_at(content, 8) != content.size()) {
+    refuse(name, "the header announces {} bytes, but the file has {}", word_at(content, 8),
+           content.size());
   }
+  std::size_t offset = kGlbHeaderBytes;
+  const auto next_chunk = [&](std::string_view type) {
+    const std::size_t start = offset + kChunkHeaderBytes;
+    if (start > content.size() || word_at(content, offset) > content.size() - start) {
+      refuse(name, "the chunk at byte {} reaches past the end of the file", offset);
+    }
+    if (content.substr(offset + 4, 4) != type) {
+      refuse(name, "the chunk at byte {} is not of type {}", offset,
+             type.substr(0, type.find('\0')));
+    }
+    const std::size_t length = word_at(content, offset);
+    offset = start + length;
+    return content.substr(start, length);
+  };
+  Chunks chunks{next_chunk("JSON"), std::nullopt};
+  if (offset < content.size()) chunks.binary = next_chunk({"BIN\0", 4});
+  return chunks;
+}
 
-  const std::string& name_;
-  std::string_view content_;
-  std::size_t offset_ = kGlbHeaderBytes;
-};
+nlohmann::json parse_json(const std::string& name, std::string_view text) {
+  nlohmann::json root;
+  try {
+    root = nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
+    refuse(name, "the JSON is broken at its byte {}: a value, name or bracket is wrong or missing",
+           error.byte);
+  } catch (const nlohmann::json::exception&) {
+    refuse(name, "the JSON holds a number that no double can hold");
+  }
+  if (!root.is_object()) refuse(name, "the JSON is no object");
+  return root;
+}
 
 // RFC 4648, section 4; none where a character does not belong.
 std::optional<std::string> decode_base64(std::string_view text) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  while (text.ends_with('=')) {
-    text.remove_suffix(1);
-  }
+  while (text.ends_with('=')) text.remove_suffix(1);
   std::string bytes;
   std::uint32_t bits = 0;
   int count = 0;
   for (const char c : text) {
     const std::size_t digit = kDigits.find(c);
-    if (digit == std::string_view::npos) {
-      return std::nullopt;
-    }
+    if (digit == std::string_view::npos) return std::nullopt;
     bits = bits << 6 | static_cast<std::uint32_t>(digit);
     count += 6;
     if (count >= 8) {
@@ -110,69 +152,58 @@ std::optional<std::string> decode_base64(std::string_view text) {
 
 // RFC 3986, section 2.1.
 std::string decode_percent(std::string_view uri) {
-  const auto digit = [](char c) { return '0' <= c && c <= '9' ? c - '0' : (c | 32) - 'a' + 10; };
   std::string text;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] == '%' && i + 2 < uri.size() &&
-        std::isxdigit(static_cast<unsigned char>(uri[i + 1])) &&
-        std::isxdigit(static_cast<unsigned char>(uri[i + 2]))) {
-      text.push_back(static_cast<char>(digit(uri[i + 1]) * 16 + digit(uri[i + 2])));
-      i += 2;
-    } else {
-      text.push_back(uri[i]);
-    }
+  for (const char* c = uri.data(); c != uri.data() + uri.size(); ++c) {
+    std::uint8_t byte = 0;
+    const bool is_escape = *c == '%' && uri.data() + uri.size() - c > 2 &&
+                           std::from_chars(c + 1, c + 3, byte, 16).ptr == c + 3;
+    text += is_escape ? static_cast<char>(byte) : *c;
+    if (is_escape) c += 2;
   }
   return text;
 }
 
-// Appends buffer `i` to the bytes, all of what it announces and no more.
-void append_buffer(Gltf& gltf, std::size_t i, const std::filesystem::path& folder,
+// Appends a buffer to the bytes, all of what it announces and no more.
+void append_buffer(Gltf& gltf, const GltfValue& buffer, bool is_first,
+                   const std::filesystem::path& folder,
                    const std::optional<std::string_view>& binary) {
-  const GltfDocument& document = gltf.document;
-  const std::string at = GltfDocument::place("buffers", i);
-  const auto& buffer = document.object_of("buffers", i);
-  const std::size_t length = document.size_in(buffer, "byteLength", at);
+  const GltfValue byte_length = buffer["byteLength"], uri = buffer["uri"];
+  const std::size_t length = byte_length.number();
   const auto append = [&](std::string_view bytes, const std::string& source) {
     if (bytes.size() < length) {
-      document.fail(fmt::format("{}.byteLength is {}, but {} has only {} bytes", at, length, source,
-                                bytes.size()));
+      byte_length.fail("is {}, but {} has only {} bytes", length, source, bytes.size());
     }
     gltf.bytes.append(bytes.substr(0, length));
   };
-  const auto uri = buffer.find("uri");
-  if (uri == buffer.end()) {
-    if (i != 0 || !binary) {
-      document.fail(fmt::format("{}.uri is missing, and there is no binary chunk for it", at));
-    }
-    append(*binary, "the binary chunk");
-  } else if (!uri->is_string()) {
-    document.fail(fmt::format("{}.uri is no text", at));
-  } else if (const std::string& text = uri->get_ref<const std::string&>();
-             text.starts_with("data:")) {
-    const std::size_t comma = text.find(";base64,");
-    const auto bytes = comma == std::string::npos
-                           ? std::nullopt
-                           : decode_base64(std::string_view(text).substr(comma + 8));
-    if (!bytes) {
-      document.fail(fmt::format("{}.uri is no base64 data URI", at));
-    }
-    append(*bytes, "the data URI");
-  } else {
-    const std::filesystem::path file = folder / decode_percent(text);
-    append(read_bytes(file), fmt::format("'{}'", file.string()));
+  if (!uri) {
+    if (!is_first || !binary) uri.fail("is missing, and there is no binary chunk for it");
+    return append(*binary, "the binary chunk");
   }
+  if (!uri->is_string()) uri.fail("is no text");
+  const std::string& text = uri->get_ref<const std::string&>();
+  if (!text.starts_with("data:")) {
+    const std::filesystem::path file = folder / decode_percent(text);
+    return append(read_bytes(file), fmt::format("'{}'", file.string()));
+  }
+  constexpr std::string_view kMark = ";base64,";
+  const std::size_t mark = text.find(kMark);
+  const auto bytes = mark == std::string::npos
+                         ? std::nullopt
+                         : decode_base64(std::string_view(text).substr(mark + kMark.size()));
+  if (!bytes) uri.fail("is no base64 data URI");
+  append(*bytes, "the data URI");
 }
 
 }  // namespace
 
-Gltf read_gltf(const std::filesystem::path& path, std::string_view content) {
-  const std::string name = path.string();
-  const Chunks chunks = ChunkReader(name, content).read();
-  Gltf gltf{GltfDocument(name, chunks.json), {}, {}};
-  const std::size_t buffers = gltf.document.count_of("buffers");
-  for (std::size_t i = 0; i < buffers; ++i) {
+Gltf read_gltf(const std::string& name, std::string_view content) {
+  const std::filesystem::path folder = std::filesystem::path(name).parent_path();
+  const auto [json, binary] = chunks_of(name, content);
+  Gltf gltf{name, parse_json(name, json)};
+  const GltfValue buffers = gltf["buffers"];
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
     gltf.buffer_start.push_back(gltf.bytes.size());
-    append_buffer(gltf, i, path.parent_path(), chunks.binary);
+    append_buffer(gltf, buffers.object_at(i), i == 0, folder, binary);
   }
   gltf.buffer_start.push_back(gltf.bytes.size());
   return gltf;

@@ -3,9 +3,9 @@
 // Random numbers that are the same on every platform for a seed.
 //
 // The generator is the Mersenne twister of the C++ standard (Matsumoto and Nishimura, "Mersenne
-// Twister", ACM TOMACS 8(1), 1998), whose output is fixed; the distributions are our own, since those
-// of the standard differ between libraries. They use exact scaling and IEEE arithmetic only: no exp,
-// log, sin or cos.
+// Twister", ACM TOMACS 8(1), 1998), whose output is fixed; the distributions are our own, since
+// those of the standard differ between libraries. They use exact scaling and IEEE arithmetic only:
+// no exp, log, sin or cos.
 //
 // Draw one number per statement: C++ leaves the order within an expression to the compiler.
 #pragma once
@@ -33,9 +33,7 @@ class Random {
   std::uint64_t below(std::uint64_t n) {
     const std::uint64_t rest = (0 - n) % n;  // 2^64 mod n
     std::uint64_t r = bits_();
-    while (r < rest) {
-      r = bits_();
-    }
+    while (r < rest) r = bits_();
     return r % n;
   }
 
@@ -63,18 +61,14 @@ class Random {
     while (true) {
       const glm::dvec3 p = in_cube();
       const double square = p.x * p.x + p.y * p.y + p.z * p.z;
-      if (0.01 <= square && square <= 1) {
-        return p / std::sqrt(square);
-      }
+      if (0.01 <= square && square <= 1) return p / std::sqrt(square);
     }
   }
 
   // Fisher and Yates: every order equally likely.
   template <class T>
   void shuffle(std::span<T> values) {
-    for (std::size_t i = values.size(); i > 1; --i) {
-      std::swap(values[i - 1], values[below(i)]);
-    }
+    for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[below(i)]);
   }
 
  private:

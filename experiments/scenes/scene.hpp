@@ -3,10 +3,11 @@
 // A scene: a mesh and the views it is looked at from.
 //
 // Only floats enter an experiment: `view_triangles` moves world-space vertices into view space in
-// double precision and rounds each coordinate to float once. These float bits are the input of every
-// clipper and of the exact reference alike.
+// double precision and rounds each coordinate to float once. These float bits are the input of
+// every clipper and of the exact reference alike.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +23,7 @@
 
 namespace clipscope::experiments {
 
-// Every scene vertex carries four attributes: texture coordinates u, v and two more values in [-1, 1].
+// The attributes of every vertex: texture coordinates u and v and two more values in [-1, 1].
 inline constexpr int kSceneAttributes = 4;
 
 using SceneTriangle = ViewTriangle<float, kSceneAttributes>;
@@ -32,6 +33,11 @@ struct Mesh {
   std::vector<std::array<float, kSceneAttributes>> attributes;  // one per position
   std::vector<std::array<std::uint32_t, 3>> triangles;          // indices into positions
 };
+
+inline glm::dvec3 point_of(const Mesh& mesh, std::size_t vertex) {
+  const auto& [x, y, z] = mesh.positions[vertex];
+  return {x, y, z};
+}
 
 // A camera position: world to view (rigid), and the frustum. Frustum numbers are floats.
 struct View {
@@ -47,14 +53,11 @@ struct Scene {
   std::vector<View> views;  // at least one
 };
 
-// The view-space triangles [first, first + out.size()) of the mesh as seen from the view. An identity
-// view keeps the bits of the mesh's floats, signs of zeros included.
+// The view-space triangles [first, first + out.size()) of the mesh as seen from the view. An
+// identity view keeps the bits of the mesh's floats, signs of zeros included.
 // Pre-condition: first + out.size() <= scene.mesh.triangles.size().
 void view_triangles(const Scene& scene, const View& view, std::size_t first,
                     std::span<SceneTriangle> out);
-
-// Whether the mesh is given in view space already: all its views are the identity.
-bool is_in_view_space(const Scene& scene);
 
 // An axis-aligned box, lo <= hi in each coordinate.
 struct Box {
@@ -70,12 +73,58 @@ Box bounding_box(const Mesh& mesh);
 struct SceneOptions;   // experiments/scenes/builtin.hpp
 struct CameraOptions;  // experiments/scenes/camera.hpp
 
-// A built-in scene by its name, or a mesh file (a name that holds a '.' or a '/', or exists) seen from
-// `make_views`. Options of the camera replace the views of a built-in scene as soon as one other than
-// `depth` differs from its default; `depth` holds for every view.
+// A built-in scene by its name, or a mesh file (a name that holds a '.' or a '/', or exists) seen
+// from `make_views`. Options of the camera replace the views of a built-in scene as soon as one
+// other than `depth` differs from its default; `depth` holds for every view.
 // Errors: UsageError for a name that is neither, and for a camera on a scene given in view space;
 // those of load_mesh and make_views.
 Scene load_scene(std::string_view name_or_file, const SceneOptions& options,
                  const CameraOptions& camera);
+
+// At most `limit` of the values, evenly spaced from the first on. Pre-condition: limit > 0.
+template <class T>
+std::vector<T> evenly_spaced(const std::vector<T>& values, std::size_t limit) {
+  const std::size_t stride = (values.size() + limit - 1) / limit;
+  std::vector<T> spaced;
+  for (std::size_t i = 0; i < values.size(); i += stride) spaced.push_back(values[i]);
+  return spaced;
+}
+
+// Which triangles of a mesh are sampled: `count`, evenly spaced, number i being triangle i *
+// stride.
+struct Spacing {
+  std::size_t count = 0;
+  std::size_t stride = 1;
+};
+
+// At most `limit` triangles of the scene; 0: all.
+Spacing spacing_of(const Scene& scene, std::size_t limit);
+
+// The sampled triangles [first, first + count) of a view.
+std::vector<SceneTriangle> sampled_view_triangles(const Scene& scene, const View& view,
+                                                  const Spacing& spacing, std::size_t first,
+                                                  std::size_t count);
+
+// Calls f(triangles, first) with all sampled triangles of a view, some thousand at once, so that
+// memory does not grow with the mesh. first: the number of the first of them in the sample.
+template <class F>
+void for_each_chunk(const Scene& scene, const View& view, const Spacing& spacing, const F& f) {
+  constexpr std::size_t kChunk = 4096;
+  for (std::size_t first = 0; first < spacing.count; first += kChunk) {
+    const std::size_t count = std::min(kChunk, spacing.count - first);
+    f(sampled_view_triangles(scene, view, spacing, first, count), first);
+  }
+}
+
+// Triangles of one view.
+struct SampledView {
+  View view;
+  std::vector<SceneTriangle> triangles;
+  std::vector<std::size_t> numbers = {};  // in the mesh, one per triangle; empty if there is none
+};
+
+// At most `limit` triangles over all views of the scene, evenly spaced and shuffled with a fixed
+// seed, so that a leading share of a view is like the whole.
+std::vector<SampledView> sampled_views(const Scene& scene, std::size_t limit);
 
 }  // namespace clipscope::experiments

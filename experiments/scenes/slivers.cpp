@@ -9,8 +9,6 @@
 #include <glm/geometric.hpp>
 
 #include "experiments/scenes/builtin.hpp"
-#include "experiments/scenes/families.hpp"
-#include "experiments/scenes/random.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -86,14 +84,7 @@ Scene make_slivers_scene(const SceneOptions& options) {
   Random random(options.seed);
   const int triangles = options.quick ? 4000 : 20000;
   for (int i = 0; i < triangles; ++i) {
-    const std::array<dvec3, 3> corners = sliver(scene.views.front().frustum, random);
-    const auto first = static_cast<std::uint32_t>(scene.mesh.positions.size());
-    for (const dvec3& p : corners) {
-      const double u = random.uniform(), v = random.uniform();
-      const double a = random.uniform(-1, 1), b = random.uniform(-1, 1);
-      add_vertex(scene.mesh, p, {u, v, a, b});
-    }
-    scene.mesh.triangles.push_back({first, first + 1, first + 2});
+    add_random_triangle(scene.mesh, sliver(scene.views.front().frustum, random), random);
   }
   return scene;
 }

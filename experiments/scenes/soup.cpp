@@ -2,7 +2,7 @@
 //
 // Triangle soups by rejection: propose a triangle of a class, keep it if a double classification
 // agrees.
-#include "experiments/scenes/soup.hpp"
+#include "experiments/scenes/builtin.hpp"
 
 #include <fmt/core.h>
 
@@ -13,38 +13,19 @@
 #include <numeric>
 #include <vector>
 
-#include "experiments/errors.hpp"
-#include "experiments/scenes/builtin.hpp"
-#include "experiments/scenes/families.hpp"
-#include "experiments/scenes/random.hpp"
+#include "experiments/machine/errors.hpp"
 #include "spaces/planes.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
 using glm::dvec3;
-using Corners = std::array<std::array<float, 3>, 3>;
+using Corners = std::array<dvec3, 3>;
 
 constexpr double kMargin = 1e-5;           // see the header
 constexpr int kMostProposals = 1'000'000;  // usual are a few
 constexpr double kScreenHeight_px = 2160;
 constexpr double kInfiniteFarDepth = 1e4;  // in near distances: how deep a soup reaches without far
-
-// The length of the gradient of a plane's distance form.
-double gradient(const Frustum<double>& f, Plane plane) {
-  if (plane == Plane::near || plane == Plane::far) {
-    return 1;
-  }
-  const bool is_x = plane == Plane::left || plane == Plane::right;
-  if (f.kind == ProjectionKind::parallel) {
-    return std::hypot(1.0, is_x ? f.shear_x : f.shear_y);
-  }
-  const double side = plane == Plane::left     ? f.left
-                      : plane == Plane::right  ? f.right
-                      : plane == Plane::bottom ? f.bottom
-                                               : f.top;
-  return std::hypot(f.near, side);
-}
 
 // Where one vertex lies, or that it is too near to a border to say.
 struct Place {
@@ -53,16 +34,17 @@ struct Place {
   bool clear = true;
 };
 
-Place place_of(const Frustum<double>& f, const std::array<float, 3>& p) {
+Place place_of(const Projection<double>& projection, const std::array<float, 3>& p) {
   const Vec3<double> v(p[0], p[1], p[2]);
   const double margin = kMargin * (std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]));
   Place place;
   for (const Plane plane : kAllPlanes) {
-    const double d = view_distance(f, plane, v) / gradient(f, plane);
+    const Vec4<double>& n = projection.unit_planes[static_cast<std::size_t>(plane)];
+    const double d = n[0] * v[0] + n[1] * v[1] + n[2] * v[2] + n[3];
     place.clear = place.clear && std::abs(d) > margin;
     place.outside |= d < 0 ? bit(plane) : 0;
   }
-  if (f.kind == ProjectionKind::perspective) {
+  if (projection.frustum.kind == ProjectionKind::perspective) {
     place.clear = place.clear && std::abs(v[2]) > margin;
     place.behind_eye = v[2] > 0;
   }
@@ -74,9 +56,7 @@ class Proposer {
  public:
   Proposer(const Frustum<float>& f, std::uint64_t seed)
       : frustum_(frustum_cast<double>(f)), random_(seed) {
-    if (f.infinite_far) {
-      frustum_.far = frustum_.near * kInfiniteFarDepth;
-    }
+    if (f.infinite_far) frustum_.far = frustum_.near * kInfiniteFarDepth;
   }
 
   Random& random() { return random_; }
@@ -114,10 +94,7 @@ class Proposer {
 
   Corners around(const dvec3& centre, double radius) {
     Corners corners;
-    for (auto& corner : corners) {
-      const dvec3 p = centre + radius * random_.in_cube();
-      corner = {float(p.x), float(p.y), float(p.z)};
-    }
+    for (dvec3& corner : corners) corner = centre + radius * random_.in_cube();
     return corners;
   }
 
@@ -139,15 +116,9 @@ class Proposer {
     const double kind = random_.uniform();
     const double along = random_.uniform(-2, 2), beyond = either_sign(random_.uniform(1, 4));
     const double d = depth();
-    if (kind < 0.4) {
-      return at(beyond, along, d);
-    }
-    if (kind < 0.7) {
-      return at(along, beyond, d);
-    }
-    if (kind < 0.9) {
-      return at(along, beyond, is_perspective() ? -d : frustum_.near - d);
-    }
+    if (kind < 0.4) return at(beyond, along, d);
+    if (kind < 0.7) return at(along, beyond, d);
+    if (kind < 0.9) return at(along, beyond, is_perspective() ? -d : frustum_.near - d);
     const double length = frustum_.far - frustum_.near;
     return at(along, beyond, frustum_.far + length * random_.uniform(0, 1));
   }
@@ -178,18 +149,19 @@ class Proposer {
     const dvec3 behind = reach * random_.in_cube() + dvec3(0, 0, reach);
     const dvec3 third = random_.chance(0.5) ? inside + 0.25 * reach * random_.in_cube()
                                             : behind + 0.5 * reach * random_.in_cube();
-    std::array<dvec3, 3> points = {inside, behind, third};
-    random_.shuffle(std::span<dvec3>(points));
-    Corners corners;
-    std::ranges::transform(points, corners.begin(), [](const dvec3& p) {
-      return std::array{float(p.x), float(p.y), float(p.z)};
-    });
+    Corners corners = {inside, behind, third};
+    random_.shuffle(std::span<dvec3>(corners));
     return corners;
   }
 
   Frustum<double> frustum_;
   Random random_;
 };
+
+// In the order of SoupClass.
+std::array<double, 4> in_order(const SoupShares& shares) {
+  return {shares.inside, shares.outside, shares.straddling, shares.crossing_w0};
+}
 
 // Whole numbers in the proportion of the shares, by the largest remainder, that sum to `total`.
 std::array<std::size_t, 4> apportion(const std::array<double, 4>& shares, std::size_t total) {
@@ -210,13 +182,13 @@ std::array<std::size_t, 4> apportion(const std::array<double, 4>& shares, std::s
 }
 
 void check(const SoupShares& shares, const Frustum<float>& frustum) {
-  for (const double share :
-       {shares.inside, shares.outside, shares.straddling, shares.crossing_w0}) {
+  const std::array<double, 4> all = in_order(shares);
+  for (const double share : all) {
     if (!(share >= 0 && std::isfinite(share))) {
       throw UsageError(fmt::format("soup: a share of {} given; shares are numbers >= 0", share));
     }
   }
-  if (!(shares.inside + shares.outside + shares.straddling + shares.crossing_w0 > 0)) {
+  if (all == std::array<double, 4>{}) {
     throw UsageError("soup: all shares are 0; at least one must be positive");
   }
   if (shares.crossing_w0 > 0 && frustum.kind == ProjectionKind::parallel) {
@@ -226,63 +198,42 @@ void check(const SoupShares& shares, const Frustum<float>& frustum) {
 
 std::vector<SoupClass> shuffled_classes(const SoupShares& shares, std::size_t triangles,
                                         Random& random) {
-  constexpr std::array kClasses = {SoupClass::inside, SoupClass::outside, SoupClass::straddling,
-                                   SoupClass::crossing_w0};
-  const auto counts =
-      apportion({shares.inside, shares.outside, shares.straddling, shares.crossing_w0}, triangles);
   std::vector<SoupClass> classes;
-  for (std::size_t i = 0; i < kClasses.size(); ++i) {
-    classes.insert(classes.end(), counts[i], kClasses[i]);
+  for (int kind = 0; const std::size_t count : apportion(in_order(shares), triangles)) {
+    classes.insert(classes.end(), count, static_cast<SoupClass>(kind++));
   }
-  random.shuffle(std::span<SoupClass>(classes));
+  random.shuffle(std::span(classes));
   return classes;
 }
 
 Corners find_triangle(SoupClass wanted, Proposer& proposer, const Frustum<float>& frustum) {
   for (int i = 0; i < kMostProposals; ++i) {
     const Corners corners = proposer.propose(wanted);
-    if (classify(frustum, corners) == wanted) {
-      return corners;
-    }
+    const auto& [a, b, c] = corners;
+    if (classify(frustum, {rounded(a), rounded(b), rounded(c)}) == wanted) return corners;
   }
-  throw UsageError(
-      fmt::format("soup: the volume from near {} to far {} is too thin for triangles of a "
-                  "pixel and more; move near and far apart",
-                  frustum.near, frustum.far));
-}
-
-Scene soup_scene(const SoupShares& shares, const SceneOptions& options) {
-  Scene scene;
-  scene.views = {identity_view()};
-  scene.mesh =
-      make_soup(shares, options.quick ? 4000 : 20000, options.seed, scene.views.front().frustum);
-  return scene;
+  throw UsageError(fmt::format(
+      "soup: the volume from near {} to far {} is too thin for triangles of a pixel and more; move near and far apart",
+      frustum.near, frustum.far));
 }
 
 }  // namespace
 
-SoupClass classify(const Frustum<float>& frustum, const Corners& triangle) {
-  const Frustum<double> f = frustum_cast<double>(frustum);
+SoupClass classify(const Frustum<float>& frustum,
+                   const std::array<std::array<float, 3>, 3>& triangle) {
+  const Projection<double> projection(frustum_cast<double>(frustum));
   Outcode all = ~Outcode{0};
   int inside = 0, behind = 0;
   for (const auto& corner : triangle) {
-    const Place place = place_of(f, corner);
-    if (!place.clear) {
-      return SoupClass::none;
-    }
+    const Place place = place_of(projection, corner);
+    if (!place.clear) return SoupClass::none;
     all &= place.outside;
     inside += place.outside == 0;
     behind += place.behind_eye;
   }
-  if (all != 0) {
-    return SoupClass::outside;
-  }
-  if (inside == 3) {
-    return SoupClass::inside;
-  }
-  if (inside == 0) {
-    return SoupClass::none;
-  }
+  if (all != 0) return SoupClass::outside;
+  if (inside == 3) return SoupClass::inside;
+  if (inside == 0) return SoupClass::none;
   return behind == 0 ? SoupClass::straddling : SoupClass::crossing_w0;
 }
 
@@ -293,32 +244,9 @@ Mesh make_soup(const SoupShares& shares, std::size_t triangles, std::uint64_t se
   Proposer proposer(frustum, seed);
   Mesh mesh;
   for (const SoupClass wanted : shuffled_classes(shares, triangles, proposer.random())) {
-    const Corners corners = find_triangle(wanted, proposer, frustum);
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    for (const auto& [x, y, z] : corners) {
-      Random& r = proposer.random();
-      const double u = r.uniform(), v = r.uniform(), a = r.uniform(-1, 1), b = r.uniform(-1, 1);
-      add_vertex(mesh, {x, y, z}, {u, v, a, b});
-    }
-    mesh.triangles.push_back({first, first + 1, first + 2});
+    add_random_triangle(mesh, find_triangle(wanted, proposer, frustum), proposer.random());
   }
   return mesh;
-}
-
-Scene make_game_soup_scene(const SceneOptions& options) {
-  return soup_scene({.inside = 60, .outside = 35, .straddling = 5}, options);
-}
-Scene make_inside_soup_scene(const SceneOptions& options) {
-  return soup_scene({.inside = 1}, options);
-}
-Scene make_outside_soup_scene(const SceneOptions& options) {
-  return soup_scene({.outside = 1}, options);
-}
-Scene make_straddling_soup_scene(const SceneOptions& options) {
-  return soup_scene({.straddling = 1}, options);
-}
-Scene make_behind_soup_scene(const SceneOptions& options) {
-  return soup_scene({.crossing_w0 = 1}, options);
 }
 
 }  // namespace clipscope::experiments

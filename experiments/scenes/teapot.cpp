@@ -11,11 +11,8 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <span>
 
 #include "experiments/scenes/builtin.hpp"
-#include "experiments/scenes/camera.hpp"
-#include "experiments/scenes/families.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -26,7 +23,8 @@ using glm::dvec3;
 using Patch = std::array<dvec3, 16>;
 
 // A control point of a profile that is turned about the z axis. `arm` is the length of its quarter
-// circle's control polygon arms as a share of the radius: the published points have 0.56, but for one.
+// circle's control polygon arms as a share of the radius: the published points have 0.56, but for
+// one.
 struct ProfilePoint {
   double radius, height;
   double arm = 0.56;
@@ -78,9 +76,7 @@ Patch turn(const Profile& profile, int quarter) {
     patch[row * 4 + 3] = {0, -r, h};
   }
   for (int i = 0; i < quarter; ++i) {
-    for (dvec3& p : patch) {
-      p = {p.y, -p.x, p.z};
-    }
+    for (dvec3& p : patch) p = {p.y, -p.x, p.z};
   }
   return patch;
 }
@@ -129,16 +125,9 @@ dvec3 normal_at(const Patch& patch, double u, double v) {
 // From Newell's frame to y up, a rotation.
 dvec3 y_up(const dvec3& p) { return {p.x, p.z, -p.y}; }
 
-void add_unless_collapsed(Mesh& mesh, std::array<std::uint32_t, 3> t) {
-  const auto& p = mesh.positions;
-  if (p[t[0]] != p[t[1]] && p[t[1]] != p[t[2]] && p[t[2]] != p[t[0]]) {
-    mesh.triangles.push_back(t);
-  }
-}
-
 // `mirrored` patches have their winding and normals turned, so that the outside stays in front.
 void add_patch(Mesh& mesh, const Patch& patch, int segments, bool mirrored) {
-  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  const std::size_t first = mesh.positions.size();
   for (int j = 0; j <= segments; ++j) {
     for (int i = 0; i <= segments; ++i) {
       const double u = double(i) / segments, v = double(j) / segments;
@@ -147,14 +136,7 @@ void add_patch(Mesh& mesh, const Patch& patch, int segments, bool mirrored) {
       add_vertex(mesh, p, {u, v, n.x, n.y});
     }
   }
-  const auto width = static_cast<std::uint32_t>(segments) + 1;
-  for (std::uint32_t j = 0; j + 1 < width; ++j) {
-    for (std::uint32_t i = 0; i + 1 < width; ++i) {
-      const std::uint32_t a = first + j * width + i, b = a + 1, c = b + width, d = a + width;
-      add_unless_collapsed(mesh, mirrored ? std::array{a, c, b} : std::array{a, b, c});
-      add_unless_collapsed(mesh, mirrored ? std::array{a, d, c} : std::array{a, c, d});
-    }
-  }
+  add_grid(mesh, first, segments, segments, mirrored);
 }
 
 }  // namespace
@@ -171,13 +153,6 @@ Mesh teapot_mesh(int segments) {
     add_patch(mesh, half_tube(tube, -1), segments, true);
   }
   return mesh;
-}
-
-Scene make_teapot_scene(const SceneOptions& options) {
-  Scene scene;
-  scene.mesh = teapot_mesh(options.quick ? 5 : 10);
-  scene.views = make_views(scene.mesh, {});
-  return scene;
 }
 
 }  // namespace clipscope::experiments

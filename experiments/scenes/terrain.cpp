@@ -6,11 +6,11 @@
 // 1982; the square-diamond order after Miller, "The Definition and Rendering of Terrain Maps",
 // SIGGRAPH 1986, whose known creases along the grid are no matter here.
 #include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "experiments/scenes/builtin.hpp"
-#include "experiments/scenes/families.hpp"
-#include "experiments/scenes/random.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -26,8 +26,17 @@ class HeightField {
       : size_((1 << levels) + 1), heights_(static_cast<std::size_t>(size_) * size_), random_(seed) {
     double relief = kRelief;
     for (int step = size_ - 1; step > 1; step /= 2, relief *= kRoughness) {
-      displace_centres(step, relief);
-      displace_edges(step / 2, relief);
+      const int half = step / 2;
+      for (int j = half; j < size_; j += step) {
+        for (int i = half; i < size_; i += step) {
+          displace(i, j, {{{-half, -half}, {half, -half}, {-half, half}, {half, half}}}, relief);
+        }
+      }
+      for (int j = 0; j < size_; j += half) {
+        for (int i = (j / half) % 2 == 0 ? half : 0; i < size_; i += 2 * half) {
+          displace(i, j, {{{-half, 0}, {half, 0}, {0, -half}, {0, half}}}, relief);
+        }
+      }
     }
   }
 
@@ -44,31 +53,16 @@ class HeightField {
  private:
   std::size_t index(int i, int j) const { return static_cast<std::size_t>(j) * size_ + i; }
 
-  void displace_centres(int step, double relief) {
-    const int half = step / 2;
-    for (int j = half; j < size_; j += step) {
-      for (int i = half; i < size_; i += step) {
-        const double sum = (*this)(i - half, j - half) + (*this)(i + half, j - half) +
-                           (*this)(i - half, j + half) + (*this)(i + half, j + half);
-        heights_[index(i, j)] = sum / 4 + random_.uniform(-relief, relief);
-      }
+  // Moves a point at most `relief` away from the mean of those neighbours that are on the grid.
+  void displace(int i, int j, const std::array<std::pair<int, int>, 4>& neighbours, double relief) {
+    double sum = 0;
+    int count = 0;
+    for (const auto& [di, dj] : neighbours) {
+      if (i + di < 0 || i + di >= size_ || j + dj < 0 || j + dj >= size_) continue;
+      sum += (*this)(i + di, j + dj);
+      ++count;
     }
-  }
-
-  void displace_edges(int half, double relief) {
-    for (int j = 0; j < size_; j += half) {
-      for (int i = (j / half) % 2 == 0 ? half : 0; i < size_; i += 2 * half) {
-        double sum = 0;
-        int count = 0;
-        for (const auto& [di, dj] : {std::pair{-half, 0}, {half, 0}, {0, -half}, {0, half}}) {
-          if (0 <= i + di && i + di < size_ && 0 <= j + dj && j + dj < size_) {
-            sum += (*this)(i + di, j + dj);
-            ++count;
-          }
-        }
-        heights_[index(i, j)] = sum / count + random_.uniform(-relief, relief);
-      }
-    }
+    heights_[index(i, j)] = sum / count + random_.uniform(-relief, relief);
   }
 
   int size_;
@@ -79,14 +73,7 @@ class HeightField {
 Mesh mesh_of(const HeightField& field) {
   Mesh mesh;
   const int last = field.size() - 1;
-  add_sheet(mesh, {.corners = {{{-kSpan / 2, 0, kSpan / 2},
-                                {kSpan / 2, 0, kSpan / 2},
-                                {kSpan / 2, 0, -kSpan / 2},
-                                {-kSpan / 2, 0, -kSpan / 2}}},
-                   .columns = last,
-                   .rows = last,
-                   .u_tiles = 20,
-                   .v_tiles = 20});
+  add_sheet(mesh, ground(kSpan, last, 20));
   std::size_t vertex = 0;
   for (int j = 0; j <= last; ++j) {
     for (int i = 0; i <= last; ++i) {
@@ -97,10 +84,6 @@ Mesh mesh_of(const HeightField& field) {
 }
 
 }  // namespace
-
-Scene make_terrain_scene(const SceneOptions& options) {
-  return terrain_of_levels(options.quick ? 6 : 7, options.seed);
-}
 
 Scene terrain_of_levels(int levels, std::uint64_t seed) {
   const HeightField field(levels, seed);

@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/scenes/text_file.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
-
-#include "experiments/errors.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\v\f";
 
-std::string_view without_plus(std::string_view word) {
-  return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
+// The number that is all of the word, and what was wrong with it.
+template <class T>
+std::pair<T, std::errc> parse(std::string_view word) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  T value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const bool is_all = end == word.data() + word.size();
+  return {value, is_all ? error : std::errc::invalid_argument};
 }
 
 }  // namespace
@@ -29,13 +31,10 @@ void TextFile::append_line() {
   ++lines_read_;
   while (true) {
     const std::size_t start = line.find_first_not_of(kBlanks);
-    if (start == std::string_view::npos) {
-      return;
-    }
+    if (start == std::string_view::npos) return;
     line.remove_prefix(start);
-    const std::size_t stop = std::min(line.find_first_of(kBlanks), line.size());
-    words_.push_back(line.substr(0, stop));
-    line.remove_prefix(stop);
+    words_.push_back(line.substr(0, line.find_first_of(kBlanks)));
+    line.remove_prefix(words_.back().size());
   }
 }
 
@@ -48,16 +47,12 @@ bool TextFile::ends_in(char continuation) const {
 
 bool TextFile::next_line(char continuation) {
   words_.clear();
-  if (rest_.empty()) {
-    return false;
-  }
+  if (rest_.empty()) return false;
   append_line();
   line_ = lines_read_;
   while (ends_in(continuation) && !rest_.empty()) {
     words_.back().remove_suffix(1);
-    if (words_.back().empty()) {
-      words_.pop_back();
-    }
+    if (words_.back().empty()) words_.pop_back();
     append_line();
   }
   return true;
@@ -65,91 +60,59 @@ bool TextFile::next_line(char continuation) {
 
 bool TextFile::next_words(char continuation) {
   while (next_line(continuation)) {
-    if (!words_.empty()) {
-      return true;
-    }
+    if (!words_.empty()) return true;
   }
   return false;
 }
 
+void TextFile::require_words(std::size_t n, const char* pattern) const {
+  if (words_.size() != n) fail("'{}' expected", pattern);
+}
+
 void TextFile::require_numbers(std::size_t first, std::string_view names, const char* what) const {
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (first + i >= words_.size()) {
-      fail(fmt::format("{} has {} of {} numbers", what,
-                       words_.size() - std::min(first, words_.size()), names.size()));
-    }
+    if (first + i >= words_.size()) fail("{} has {} of {} numbers", what, i, names.size());
     const std::string_view word = words_[first + i];
     const std::optional<double> number = to_number(word);
-    if (!number) {
-      fail(fmt::format("{} of {} is '{}'; a number was expected", names[i], what, word));
-    }
-    const std::string defect = defect_of(*number);
-    if (!defect.empty()) {
-      fail(fmt::format("{} of {} is {}; a finite number was expected", names[i], what, defect));
-    }
+    if (!number) fail("{} of {} is '{}'; a number was expected", names[i], what, word);
+    require_finite(*number,
+                   [&] { return fmt::format("{}:{}: {} of {}", name_, line_, names[i], what); });
   }
 }
 
 long long TextFile::require_integer(std::string_view word, const char* what) const {
   const std::optional<long long> number = to_integer(word);
-  if (!number) {
-    fail(fmt::format("{} is '{}'; a whole number was expected", what, word));
-  }
+  if (!number) fail("{} is '{}'; a whole number was expected", what, word);
   return *number;
 }
 
 void TextFile::fail_at(std::size_t line, const std::string& message) const {
-  throw InputError(fmt::format("{}:{}: {}", name_, line, message));
+  refuse(fmt::format("{}:{}", name_, line), "{}", message);
 }
 
 std::optional<double> to_number(std::string_view word) {
-  word = without_plus(word);
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (end != word.data() + word.size() || error == std::errc::invalid_argument) {
-    return std::nullopt;
-  }
-  if (error == std::errc::result_out_of_range) {
-    const std::size_t exponent = word.find_first_of("eE");
-    const bool tiny =
-        exponent != std::string_view::npos && word.substr(exponent + 1).starts_with('-');
-    return tiny ? 0.0 : std::numeric_limits<double>::infinity();
-  }
-  return value;
+  const auto [value, error] = parse<double>(word);
+  if (error == std::errc::invalid_argument) return std::nullopt;
+  if (error != std::errc::result_out_of_range) return value;
+  const std::size_t exponent = word.find_first_of("eE");
+  const bool tiny =
+      exponent != std::string_view::npos && word.substr(exponent + 1).starts_with('-');
+  return tiny ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
-float to_float(std::string_view word) {
-  word = without_plus(word);
-  float value = 0;  // stays 0 where the number is too small even for a subnormal
-  std::from_chars(word.data(), word.data() + word.size(), value);
-  return value;
-}
+// A number that is too small even for a subnormal leaves 0.
+float to_float(std::string_view word) { return parse<float>(word).first; }
 
 std::optional<long long> to_integer(std::string_view word) {
-  word = without_plus(word);
-  long long value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (end != word.data() + word.size() || error != std::errc{}) {
-    return std::nullopt;
-  }
-  return value;
+  const auto [value, error] = parse<long long>(word);
+  return error == std::errc{} ? std::optional(value) : std::nullopt;
 }
 
 std::string defect_of(double coordinate) {
-  if (std::isnan(coordinate)) {
-    return "NaN";
-  }
-  if (std::isinf(coordinate)) {
-    return "infinite";
-  }
-  if (std::abs(coordinate) > double{std::numeric_limits<float>::max()}) {
-    return fmt::format("{}, too large for a float", coordinate);
-  }
-  return {};
-}
-
-std::string counted(long long n, const char* singular, const char* plural) {
-  return fmt::format("{} {}", n, n == 1 ? singular : plural);
+  if (std::isnan(coordinate)) return "NaN";
+  if (std::isinf(coordinate)) return "infinite";
+  const bool is_float = std::abs(coordinate) <= double{std::numeric_limits<float>::max()};
+  return is_float ? "" : fmt::format("{}, too large for a float", coordinate);
 }
 
 }  // namespace clipscope::experiments

@@ -3,103 +3,101 @@
 // Segments: mixes x line clippers x scalars, timed side by side, judged, operations counted.
 #include <fmt/format.h>
 
-#include "experiments/errors.hpp"
-#include "experiments/experiment.hpp"
-#include "experiments/measure/machine.hpp"
-#include "experiments/report/progress.hpp"
-#include "experiments/segments/judge.hpp"
-#include "experiments/segments/operations.hpp"
-#include "experiments/segments/summary.hpp"
-#include "experiments/segments/tables.hpp"
+#include "experiments/machine/machine.hpp"
+#include "experiments/machine/progress.hpp"
+#include "experiments/report/experiment.hpp"
+#include "experiments/segments/rows.hpp"
+#include "experiments/store/piece_record.hpp"
+#include "experiments/survey/verdicts.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::segments {
 namespace {
 
-struct Sizes {
-  std::size_t segments, judged, counted;
-  TimingOptions timing;
-};
-
-Sizes sizes_of(const Selection& selection) {
-  Sizes sizes = selection.quick ? Sizes{2000, 600, 600, {9, 0.3, 32}}
-                                : Sizes{20000, 8000, 8000, {31, 1.0, 256}};
-  if (selection.sample != 0) sizes.judged = sizes.counted = selection.sample;
-  return sizes;
+// None where the pattern means triangles only.
+Contestants contestants_of(const std::string& clippers, const std::vector<std::string>& scalars) {
+  const Contestants contestants = case_contestants(Primitive::segment, clippers, scalars);
+  if (contestants.empty()) select_contestants(clippers, scalars);
+  return contestants;
 }
 
-// Those that the pattern and the scalars select; none where the pattern means triangles only.
-std::vector<SegmentContestant> contestants_of(const std::string& clippers,
-                                              const std::vector<std::string>& scalars) {
-  try {
-    return select_contestants<2>(clippers, scalars);
-  } catch (const UsageError&) {
-    select_contestants<3>(clippers, scalars);
-    return {};
-  }
-}
-
-// What slower scalars would tell is known: they are the reference. They are run if no other is chosen.
+// What slower scalars would tell is known: they are right. They are run if no other is chosen.
 std::vector<std::string> timed_scalars(const Selection& selection) {
-  std::vector<std::string> fast;
-  for (const std::string& scalar : selection.scalars) {
-    if (scalar == "float" || scalar == "double") fast.push_back(scalar);
-  }
+  std::vector<std::string> fast = selection.scalars;
+  std::erase_if(fast, [](const std::string& s) { return s != "float" && s != "double"; });
   return fast.empty() ? selection.scalars : fast;
 }
 
-std::vector<const Contestant<Counted, 2>*> counting_contestants(const std::string& clippers) {
-  std::vector<const Contestant<Counted, 2>*> r;
-  for (const auto& any : contestants_of(clippers, {std::string(ScalarTraits<Counted>::name)})) {
-    r.push_back(std::get<const Contestant<Counted, 2>*>(any));
-  }
-  return r;
-}
-
-SegmentMix load_mix(const Selection& selection, const std::string& name, std::size_t size) {
+Mix load_mix(const Selection& selection, const std::string& name, std::size_t size) {
   if (selection.scenes.empty()) return make_mix(name, size, selection.seed);
   return make_wireframe(load_selected_scene(selection, name), size);
 }
 
-}  // namespace
+void record_worst(const Contestant& contestant, const Tally& tally, PieceRecord& record) {
+  const auto add = [&](const std::string& replay, const std::string& measure, double error) {
+    if (replay.empty()) return;
+    record.worst_inputs.push_back(worst_input(contestant, replay, measure, error, "clip"));
+  };
+  add(tally.worst, "position_px", tally.max_px);
+  add(tally.failing, fmt::format("outcome_{}", name_of(tally.failing_outcome)),
+      static_cast<double>(tally.failures));
+}
 
-void run_segments(const ExperimentContext& context) {
+void add_rows(const Mix& mix, const Contestants& contestants, std::span<const Tally> tallies,
+              std::span<const Timing> timings, TableOf<TimeRow>& table, PieceRecord& record) {
+  for (std::size_t i = 0; i < contestants.size(); ++i) {
+    const Contestant& c = *contestants[i];
+    const Tally& tally = tallies[i];
+    table.add({.mix = mix.name,
+               .clipper = std::string(c.clipper),
+               .scalar = std::string(c.scalar()),
+               .timing = if_timed(timings[i]),
+               .visible = sum_of(tally.outcomes),
+               .wrong = tally.failures,
+               .wrong_kinds = wrong_kinds(tally),
+               .max_px = tally.max_px,
+               .max_ulp = tally.max_ulp});
+    record.add(fmt::format("{} {} {}", mix.name, c.clipper, c.scalar()), timings[i], "segment");
+    record_worst(c, tally, record);
+  }
+}
+
+void run(const ExperimentContext& context) {
   const Selection& selection = context.selection();
-  const auto contestants = contestants_of(selection.clipper, timed_scalars(selection));
-  const auto counted = counting_contestants(selection.clipper);
-  const Sizes sizes = sizes_of(selection);
-  Table times = segment_times_table(), operations = operations_table(),
-        intersections = intersection_table();
-
-  const auto names = selection.scenes.empty() ? builtin_mixes() : selection.scenes;
+  const Contestants contestants = contestants_of(selection.clipper, timed_scalars(selection));
+  const Contestants counted =
+      contestants_of(selection.clipper, {std::string(kFormat<Counted>.name)});
+  const std::size_t size = selection.quick ? 2000 : 20000;    // segments of a mix
+  const std::size_t judged = selection.sample_or(600, 8000);  // of these, in each view
+  TableOf<TimeRow> times;
+  TableOf<OperationsRow> operations;
+  TableOf<IntersectionRow> intersections;
+  const std::vector<std::string> names = selection.scenes_or(builtin_mixes());
   Progress progress("segments", names.size());
   for (const std::string& name : names) {
-    context.cell(name, {&times, &operations}, [&](CellRecord& record) {
-      const SegmentMix mix = load_mix(selection, name, sizes.segments);
-      const auto tallies = judge_segments(mix, contestants, sizes.judged);
-      const auto timings = measure_segment_time(mix, contestants, sizes.timing);
-      for (std::size_t i = 0; i < contestants.size(); ++i) {
-        add_time(mix, contestants[i], timings[i], tallies[i], times, record);
-      }
-      const auto counts = count_operations(mix, counted, sizes.counted);
-      for (std::size_t i = 0; i < counted.size(); ++i) {
-        add_operations(mix, *counted[i], counts[i], operations);
-      }
+    context.piece(name, {&times, &operations}, [&](PieceRecord& record) {
+      const Mix mix = load_mix(selection, name, size), sample = thinned(mix, judged);
+      add_rows(mix, contestants, judge(sample, contestants),
+               time_clippers(mix, contestants, contest_clock(selection.quick)), times, record);
+      for (const OperationsRow& row : count_operations(sample, counted)) operations.add(row);
     });
     progress.advance();
   }
-  context.cell("intersection", {&intersections}, [&](CellRecord&) {
-    for (const IntersectionCost& cost : intersection_costs()) add_intersection(cost, intersections);
+  context.piece("intersection", {&intersections}, [&](PieceRecord&) {
+    for (const IntersectionRow& row : intersection_costs()) intersections.add(row);
   });
-
   times.add_note(fmt::format("Seed {}; {} segments a mix, at most {} of each view judged.",
-                             selection.seed, sizes.segments, sizes.judged));
+                             selection.seed, size, judged));
   times.add_note(machine_description());
-  context.emit(times);
-  context.emit(operations);
-  context.emit(intersections);
-  if (const auto plot = time_plot(times)) context.emit(*plot);
-  if (const auto plot = divisions_plot(operations)) context.emit(*plot);
-  context.finding(segments_finding(times, operations, intersections));
+  context.emit(times, operations, intersections);
+  for (const Plot& plot : {time_plot(times.rows()), divisions_plot(operations.rows())}) {
+    if (!plot.series.empty()) context.emit(plot);
+  }
+  context.finding(finding(times.rows(), operations.rows(), intersections.rows()));
 }
 
-}  // namespace clipscope::experiments
+}  // namespace
+
+extern constinit const Experiment kExperiment{
+    "segments", "Which line clipper is fastest, which divides least, and which is right?", run};
+
+}  // namespace clipscope::experiments::segments

@@ -6,19 +6,18 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <set>
 #include <utility>
 
-#include "experiments/errors.hpp"
-#include "experiments/scenes/families.hpp"
+#include "experiments/machine/errors.hpp"
+#include "experiments/scenes/builtin.hpp"
 #include "experiments/scenes/random.hpp"
+#include "reference/exact_clip.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::segments {
 namespace {
 
 using Ends = std::array<glm::dvec3, 2>;
-using Kind = SegmentFacts::Kind;
 
 // Proposes segments around a perspective frustum.
 class Proposer {
@@ -100,42 +99,33 @@ class Proposer {
 };
 
 struct Recipe {
-  std::string_view name, description;
+  std::string_view name;
   Ends (*propose)(Proposer&);
-  bool (*belongs)(const SegmentFacts&);
+  bool (*belongs)(const Facts&);
 };
 
-template <int kNumerator, int kDenominator>
-Ends drawing(Proposer& p) {
-  return p.line(double{kDenominator} / kNumerator);
-}
-
-bool any(const SegmentFacts&) { return true; }
+bool any(const Facts&) { return true; }
 
 constexpr std::array kRecipes = {
-    Recipe{"window_1_64", "a drawing seen through a window of 1/64 of its side", drawing<1, 64>,
-           any},
-    Recipe{"window_1_8", "the same, 1/8", drawing<1, 8>, any},
-    Recipe{"window_1_1", "the same, the window as large as the drawing", drawing<1, 1>, any},
-    Recipe{"window_4_1", "the same, four times as large", drawing<4, 1>, any},
-    Recipe{"long_lines", "lines from anywhere to anywhere in the drawing, window of 1/64",
-           [](Proposer& p) { return p.long_line(64); }, any},
-    Recipe{"inside", "both ends inside", [](Proposer& p) { return p.long_line(1); },
-           [](const SegmentFacts& f) { return f.kind == Kind::accepted; }},
-    Recipe{"outside", "both ends outside the same plane", [](Proposer& p) { return p.beside(); },
-           [](const SegmentFacts& f) { return f.share_plane; }},
-    Recipe{"cross_one", "one end inside, the other outside one plane",
-           [](Proposer& p) { return p.out_by_one(); },
-           [](const SegmentFacts& f) { return f.ends_outside == 1 && f.crossings == 1; }},
-    Recipe{"cross_several",
-           "visible, in front of the eye, its ends outside three planes and more in all",
-           [](Proposer& p) { return p.across(); },
-           [](const SegmentFacts& f) {
-             return f.kind == Kind::shortened && f.crossings >= 3 && !f.behind_eye;
+    Recipe{"window_1_64", [](Proposer& p) { return p.line(64); }, any},
+    Recipe{"window_1_8", [](Proposer& p) { return p.line(8); }, any},
+    Recipe{"window_1_1", [](Proposer& p) { return p.line(1); }, any},
+    Recipe{"window_4_1", [](Proposer& p) { return p.line(0.25); }, any},
+    Recipe{"long_lines", [](Proposer& p) { return p.long_line(64); }, any},
+    Recipe{"inside", [](Proposer& p) { return p.long_line(1); },
+           [](const Facts& f) { return f.kind == Facts::accepted; }},
+    Recipe{"outside", [](Proposer& p) { return p.beside(); },
+           [](const Facts& f) { return f.share_plane; }},
+    Recipe{"cross_one", [](Proposer& p) { return p.out_by_one(); },
+           [](const Facts& f) { return f.ends_outside == 1 && f.crossings == 1; }},
+    // Visible, in front of the eye, its ends outside three planes and more in all.
+    Recipe{"cross_several", [](Proposer& p) { return p.across(); },
+           [](const Facts& f) {
+             return f.kind == Facts::shortened && f.crossings >= 3 && !f.behind_eye;
            }},
-    Recipe{"cross_w0", "from inside to behind the eye, across w = 0",
-           [](Proposer& p) { return p.across_eye(); },
-           [](const SegmentFacts& f) { return f.ends_outside == 1 && f.behind_eye; }},
+    // From inside to behind the eye.
+    Recipe{"cross_w0", [](Proposer& p) { return p.across_eye(); },
+           [](const Facts& f) { return f.ends_outside == 1 && f.behind_eye; }},
 };
 
 SceneSegment rounded(const Ends& ends, Random& random) {
@@ -151,38 +141,30 @@ SceneSegment rounded(const Ends& ends, Random& random) {
 
 }  // namespace
 
-std::size_t SegmentMix::size() const {
-  std::size_t count = 0;
-  for (const SegmentBatch& batch : batches) count += batch.segments.size();
-  return count;
-}
-
 std::vector<std::string> builtin_mixes() {
   std::vector<std::string> names;
   for (const Recipe& recipe : kRecipes) names.emplace_back(recipe.name);
   return names;
 }
 
-SegmentMix make_mix(std::string_view name, std::size_t size, std::uint64_t seed) {
+Mix make_mix(std::string_view name, std::size_t size, std::uint64_t seed) {
   const auto recipe = std::ranges::find(kRecipes, name, &Recipe::name);
   if (recipe == kRecipes.end()) {
     throw UsageError(fmt::format("no mix of segments is called '{}'; there are: {}", name,
                                  fmt::join(builtin_mixes(), ", ")));
   }
-  SegmentMix mix{
-      std::string(recipe->name), std::string(recipe->description), {{identity_view(), {}}}};
-  SegmentBatch& batch = mix.batches.front();
-  const auto truth = reference::Truth::of_frustum(frustum_cast<double>(batch.view.frustum));
-  Proposer proposer(batch.view.frustum, seed);
-  while (batch.segments.size() < size) {
+  SegmentView made{identity_view(), {}};
+  const auto truth = reference::Truth::of_frustum(frustum_cast<double>(made.view.frustum));
+  Proposer proposer(made.view.frustum, seed);
+  while (made.segments.size() < size) {
     const Ends ends = recipe->propose(proposer);
     const SceneSegment segment = rounded(ends, proposer.random());
-    if (recipe->belongs(facts_of(truth, segment))) batch.segments.push_back(segment);
+    if (recipe->belongs(facts_of(truth, segment))) made.segments.push_back(segment);
   }
-  return mix;
+  return {std::string(name), {made}};
 }
 
-SegmentMix make_wireframe(const Scene& scene, std::size_t size) {
+Mix make_wireframe(const Scene& scene, std::size_t size) {
   // The first triangle that has an edge, and at which of its corners the edge starts.
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
@@ -193,34 +175,28 @@ SegmentMix make_wireframe(const Scene& scene, std::size_t size) {
       if (seen.insert(ends).second) edges.emplace_back(t, k);
     }
   }
+  Mix mix{"wireframe " + scene.name, {}};
   const std::size_t wanted = std::max<std::size_t>(1, size / scene.views.size());
-  SegmentMix mix{"wireframe " + scene.name, "the edges of the scene's triangles", {}};
   for (const View& view : scene.views) {
-    SegmentBatch& batch = mix.batches.emplace_back(SegmentBatch{view, {}});
-    for (const std::size_t i : evenly_spaced(edges.size(), wanted)) {
-      const auto [t, k] = edges[i];
+    SegmentView& made = mix.views.emplace_back(SegmentView{view, {}});
+    for (const auto& [t, k] : evenly_spaced(edges, wanted)) {
       SceneTriangle triangle;
       view_triangles(scene, view, t, std::span(&triangle, 1));
-      batch.segments.push_back({triangle[k], triangle[(k + 1) % 3]});
+      made.segments.push_back({triangle[k], triangle[(k + 1) % 3]});
     }
   }
   return mix;
 }
 
-std::vector<std::size_t> evenly_spaced(std::size_t count, std::size_t sample) {
-  const std::size_t stride = std::max<std::size_t>(1, (count + sample - 1) / sample);
-  std::vector<std::size_t> numbers;
-  for (std::size_t i = 0; i < count; i += stride) numbers.push_back(i);
-  return numbers;
+Mix thinned(Mix mix, std::size_t limit) {
+  for (SegmentView& v : mix.views) v.segments = evenly_spaced(v.segments, limit);
+  return mix;
 }
 
-std::vector<reference::InputVertex> input_segment(const SceneSegment& segment) {
-  return {reference::input_vertex(segment[0]), reference::input_vertex(segment[1])};
-}
-
-SegmentFacts facts_of(const reference::Truth& truth, const SceneSegment& segment) {
-  const auto ends = input_segment(segment);
-  SegmentFacts facts;
+Facts facts_of(const reference::Truth& truth, const SceneSegment& segment) {
+  const std::array ends = {reference::input_vertex(segment[0]),
+                           reference::input_vertex(segment[1])};
+  Facts facts;
   std::array<bool, 2> outside = {false, false};
   for (const reference::Truth::HalfSpace& half_space : truth.half_spaces()) {
     int beyond = 0;
@@ -236,11 +212,11 @@ SegmentFacts facts_of(const reference::Truth& truth, const SceneSegment& segment
   facts.behind_eye =
       reference::sign(truth.w(), ends[0]) < 0 || reference::sign(truth.w(), ends[1]) < 0;
   if (facts.ends_outside == 0) {
-    facts.kind = Kind::accepted;
+    facts.kind = Facts::accepted;
   } else if (!facts.share_plane && reference::clip(truth, ends, 0).vertices.size() == 2) {
-    facts.kind = Kind::shortened;
+    facts.kind = Facts::shortened;
   }
   return facts;
 }
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::segments

@@ -2,10 +2,10 @@
 //
 // Mixes of view-space segments that the line clippers meet each other on.
 //
-// Drawings: random lines over a square extent, seen through a window that is a part of it. A line starts
-// anywhere in the extent and is 1/64 of it to all of it long, every binade of lengths equally likely;
-// `long_lines` go from anywhere to anywhere. Their depths stay away from near and far, and the depths of
-// both ends are within a factor of two: the sides of the window alone clip.
+// Drawings: random lines over a square extent, seen through a window that is a part of it. A line
+// starts anywhere in the extent and is 1/64 of it to all of it long, every binade of lengths
+// equally likely; `long_lines` go from anywhere to anywhere. Their depths stay away from near and
+// far, and the depths of both ends are within a factor of two: the sides of the window alone clip.
 // Classes: segments that are inside, outside one plane, and so on; exact arithmetic decides which
 // (reference/), so that a class holds what its name says.
 // Wireframes: the edges of a scene's triangles, from all its views.
@@ -19,51 +19,48 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/commands/selection.hpp"
+#include "experiments/contestants/batch.hpp"
 #include "experiments/scenes/scene.hpp"
-#include "reference/exact_clip.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::segments {
 
 using SceneSegment = ViewSegment<float, kSceneAttributes>;
 
 // Segments of one view.
-struct SegmentBatch {
+struct SegmentView {
   View view;
   std::vector<SceneSegment> segments;
+
+  Batch batch() const { return batch_of(view.frustum, std::span(segments)); }
 };
 
-struct SegmentMix {
-  std::string name, description;
-  std::vector<SegmentBatch> batches;
-
-  std::size_t size() const;
+struct Mix {
+  std::string name;
+  std::vector<SegmentView> views;
 };
 
 // The names of all mixes that are made here, in the order in which they are shown.
 std::vector<std::string> builtin_mixes();
 
-// At least one segment, `size` of them. Errors: UsageError for an unknown name.
-SegmentMix make_mix(std::string_view name, std::size_t size, std::uint64_t seed);
+// `size` segments of one view. Errors: UsageError for an unknown name.
+Mix make_mix(std::string_view name, std::size_t size, std::uint64_t seed);
 
-// Each edge of the scene's mesh once per view, evenly spaced and at most `size` in all (at least one
-// per view). Named "wireframe NAME".
-SegmentMix make_wireframe(const Scene& scene, std::size_t size);
+// Each edge of the scene's mesh once per view, evenly spaced and at most `size` in all (at least
+// one per view). The mix is named "wireframe NAME".
+Mix make_wireframe(const Scene& scene, std::size_t size);
 
-// The numbers of at most `sample` of `count` things, evenly spaced. Pre-condition: sample > 0.
-std::vector<std::size_t> evenly_spaced(std::size_t count, std::size_t sample);
+// At most `limit` segments of each view, evenly spaced.
+Mix thinned(Mix mix, std::size_t limit);
 
 // What exact arithmetic says about a segment.
-struct SegmentFacts {
+struct Facts {
   int ends_outside = 0;      // of the volume: those that must move if anything is visible
   int crossings = 0;         // planes that some end is outside of, counted per end
   bool share_plane = false;  // both ends are outside the same plane
   bool behind_eye = false;   // some end is: w < 0
-  enum class Kind { accepted, shortened, rejected } kind = Kind::rejected;
+  enum Kind { accepted, shortened, rejected } kind = rejected;
 };
 
-SegmentFacts facts_of(const reference::Truth& truth, const SceneSegment& segment);
+Facts facts_of(const reference::Truth& truth, const SceneSegment& segment);
 
-std::vector<reference::InputVertex> input_segment(const SceneSegment& segment);
-
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::segments

@@ -1,198 +1,149 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/segments/summary.hpp"
+#include "experiments/segments/rows.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
-#include <string_view>
 #include <utility>
-#include <vector>
 
-#include "experiments/report/row_view.hpp"
-
-namespace clipscope::experiments {
+namespace clipscope::experiments::segments {
 namespace {
 
-constexpr std::string_view kCohenSutherland = "homogeneous/cohen_sutherland";
-constexpr std::string_view kPublished = "homogeneous/liang_barsky";
-constexpr std::string_view kProducts = "homogeneous/liang_barsky_division_free";
+constexpr const char* kCohenSutherland = "homogeneous/cohen_sutherland";
+constexpr const char* kPublished = "homogeneous/liang_barsky";
+constexpr const char* kProducts = "homogeneous/liang_barsky_division_free";
 
-// Bars of more clippers than this can't be told apart: then these are shown.
-constexpr std::size_t kMostSeries = 6;
-constexpr std::array<std::string_view, kMostSeries> kShown = {kCohenSutherland,
-                                                              kPublished,
-                                                              kProducts,
-                                                              "view/cyrus_beck",
-                                                              "cvv/cohen_sutherland",
-                                                              "window/nicholl_lee_nicholl"};
+// Bars of more clippers than these can't be told apart.
+constexpr std::array kShown = {kCohenSutherland,
+                               kPublished,
+                               kProducts,
+                               "view/cyrus_beck",
+                               "cvv/cohen_sutherland",
+                               "window/nicholl_lee_nicholl"};
 
-// Of the row of a mix and a clipper.
-std::optional<double> figure(const Table& table, std::string_view mix, std::string_view clipper,
-                             std::string_view key) {
-  for (const RowView& row : rows_of(table)) {
-    if (row.text("mix") == mix && row.text("clipper") == clipper) return row.find_number(key);
-  }
-  return std::nullopt;
-}
-
-void add_once(std::vector<std::string>& names, const std::string& name) {
-  if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-}
-
-// Bars by mix, a set for each clipper; `belongs` chooses rows.
-template <class Belongs>
-std::optional<Plot> bars_by_mix(Plot plot, const Table& table, std::string_view key,
-                                Belongs&& belongs) {
-  std::vector<std::string> clippers;
-  for (const RowView& row : rows_of(table)) {
-    if (!belongs(row)) continue;
-    add_once(plot.categories, row.text("mix"));
-    add_once(clippers, row.text("clipper"));
-  }
-  if (clippers.empty()) return std::nullopt;
-  if (clippers.size() > kMostSeries) clippers.assign(kShown.begin(), kShown.end());
+// Fills the plot with bars by mix, a set for each clipper.
+template <class Row, class Figure>
+Plot with_bars(Plot plot, const std::vector<Row>& rows, const Figure& figure) {
+  plot.categories = distinct(rows, &Row::mix);
+  std::vector<std::string> clippers = distinct(rows, &Row::clipper);
+  if (clippers.size() > kShown.size()) clippers.assign(kShown.begin(), kShown.end());
   for (const std::string& clipper : clippers) {
-    Series series;
-    series.name = clipper;
-    series.y.assign(plot.categories.size(), std::numeric_limits<double>::quiet_NaN());
-    for (const RowView& row : rows_of(table)) {
-      if (!belongs(row) || row.text("clipper") != clipper) continue;
-      const auto mix = std::ranges::find(plot.categories, row.text("mix"));
-      series.y[static_cast<std::size_t>(mix - plot.categories.begin())] =
-          row.find_number(key).value_or(std::numeric_limits<double>::quiet_NaN());
-    }
-    plot.series.push_back(std::move(series));
+    add_bars(plot, clipper, rows, figure, &Row::mix, &Row::clipper, clipper);
   }
   return plot;
 }
 
-// "homogeneous/cohen_sutherland on 5 of 9 mixes, ...", by how often a clipper is the fastest, in `scalar`.
-std::string fastest_text(const Table& times, const std::string& scalar) {
-  std::map<std::string, std::pair<double, std::string>> best;  // by mix
-  for (const RowView& row : rows_of(times)) {
-    const auto ns = row.find_number("ns_per_segment");
-    if (!ns || row.text("scalar") != scalar) continue;
-    const auto [at, is_first] = best.try_emplace(row.text("mix"), *ns, row.text("clipper"));
-    if (!is_first && *ns < at->second.first) at->second = {*ns, row.text("clipper")};
-  }
+std::vector<TimeRow> timed_in(std::vector<TimeRow> times, const std::string& scalar) {
+  std::erase_if(times, [&](const TimeRow& row) { return row.scalar != scalar || !row.timing; });
+  return times;
+}
+
+double ns_of(const TimeRow& row) { return row.timing->ns.median; }
+
+// "homogeneous/cohen_sutherland on 5, ...", by how often a clipper is the fastest, in `scalar`.
+std::string fastest_text(const std::vector<TimeRow>& times, const std::string& scalar) {
+  const std::vector<TimeRow> timed = timed_in(times, scalar);
+  const std::vector<std::string> mixes = distinct(timed, &TimeRow::mix);
   std::map<std::string, int> wins;
-  for (const auto& [mix, winner] : best) ++wins[winner.second];
+  for (const std::string& mix : mixes) {
+    const std::vector<TimeRow> rows = rows_where(timed, &TimeRow::mix, mix);
+    ++wins[std::ranges::min_element(rows, {}, ns_of)->clipper];
+  }
   std::vector<std::pair<int, std::string>> order;
   for (const auto& [clipper, count] : wins) order.emplace_back(-count, clipper);
   std::ranges::sort(order);
-  std::string result;
+  std::vector<std::string> parts;
   for (const auto& [count, clipper] : order) {
-    result += fmt::format("{}{} on {}", result.empty() ? "" : ", ", clipper, -count);
+    parts.push_back(fmt::format("{} on {}", clipper, -count));
   }
-  return fmt::format("Fastest in {}, of {} mixes: {}.", scalar, best.size(), result);
+  return fmt::format("Fastest in {}, of {} mixes: {}.", scalar, mixes.size(),
+                     fmt::join(parts, ", "));
 }
 
-// In each scalar: who is wrong if that is few, else how far off they are.
-std::string wrong_text(const Table& times, const std::string& scalar) {
-  std::map<std::string, double> wrong;  // by clipper
-  double max_px = 0;
-  std::string worst;
-  for (const RowView& row : rows_of(times)) {
-    if (row.text("scalar") != scalar) continue;
-    wrong[row.text("clipper")] += row.find_number("wrong").value_or(0);
-    const double px = row.find_number("max_px").value_or(0);
-    if (px <= max_px) continue;
-    max_px = px;
-    worst = fmt::format("{} on {}", row.text("clipper"), row.text("mix"));
+// Who is wrong if that is few, else how far off they are.
+std::string wrong_text(const std::vector<TimeRow>& times, const std::string& scalar) {
+  const std::vector<TimeRow> rows = rows_where(times, &TimeRow::scalar, scalar);
+  std::map<std::string, std::int64_t> wrong;  // by clipper
+  for (const TimeRow& row : rows) {
+    if (row.wrong > 0) wrong[row.clipper] += row.wrong;
   }
-  const std::size_t clippers = wrong.size();
-  std::erase_if(wrong, [](const auto& entry) { return entry.second == 0; });
   constexpr std::size_t kFew = 2;
   if (wrong.size() > kFew) {
-    return fmt::format(" In {} errors reach {:.3g} px ({}).", scalar, max_px, worst);
+    const TimeRow& worst = *std::ranges::max_element(rows, {}, &TimeRow::max_px);
+    return fmt::format("In {} errors reach {:.3g} px ({} on {}).", scalar, worst.max_px,
+                       worst.clipper, worst.mix);
   }
-  std::string names;
+  std::vector<std::string> names;
   for (const auto& [clipper, count] : wrong) {
-    names += fmt::format("{}{} with {:.0f} segments", names.empty() ? "" : ", ", clipper, count);
+    names.push_back(fmt::format("{} with {} segments", clipper, count));
   }
-  return fmt::format(" Wrong in {}: {} of {} clippers{}.", scalar, wrong.size(), clippers,
-                     names.empty() ? "" : " (" + names + ")");
+  return fmt::format("Wrong in {}: {} of {} clippers{}.", scalar, wrong.size(),
+                     distinct(rows, &TimeRow::clipper).size(),
+                     names.empty() ? "" : fmt::format(" ({})", fmt::join(names, ", ")));
 }
-
-std::string separator(const std::string& sentences) { return sentences.empty() ? "" : " "; }
 
 }  // namespace
 
-std::optional<Plot> time_plot(const Table& times) {
-  if (times.rows().empty()) return std::nullopt;
-  const std::string scalar = rows_of(times).front().text("scalar");
-  return bars_by_mix({.name = "segments",
-                      .title = fmt::format("Time per segment by mix ({})", scalar),
-                      .caption = "View space in, NDC out, with four attributes.",
-                      .x = {},
-                      .y = {.label = "time [ns/segment]", .from = 0},
-                      .series = {}},
-                     times, "ns_per_segment", [&](const RowView& row) {
-                       return row.text("scalar") == scalar &&
-                              row.find_number("ns_per_segment").has_value();
-                     });
+Plot time_plot(const std::vector<TimeRow>& times) {
+  const std::string scalar = times.empty() ? "" : times.front().scalar;
+  return with_bars({.name = "segments",
+                    .title = fmt::format("Time per segment by mix ({})", scalar),
+                    .caption = "View space in, NDC out, with four attributes.",
+                    .x = {},
+                    .y = {.label = "time [ns/segment]", .from = 0}},
+                   timed_in(times, scalar), ns_of);
 }
 
-std::optional<Plot> divisions_plot(const Table& operations) {
-  return bars_by_mix(
+Plot divisions_plot(const std::vector<OperationsRow>& operations) {
+  return with_bars(
       {.name = "segments_divisions",
        .title = "Divisions that cut, per segment by mix",
-       .caption = "All divisions but the four per vertex of the perspective divide: one for each "
-                  "parameter of an intersection, after the divide one more for the attributes of "
-                  "a new end.",
+       .caption =
+           "All divisions but the four per vertex of the perspective divide: one for each parameter of an intersection, after the divide one more for the attributes of a new end.",
        .x = {},
-       .y = {.label = "divisions per segment", .from = 0},
-       .series = {}},
-      operations, "cut_divisions", [](const RowView&) { return true; });
+       .y = {.label = "divisions per segment", .from = 0}},
+      operations, &OperationsRow::cut_divisions);
 }
 
-std::string segments_finding(const Table& times, const Table& operations,
-                             const Table& intersections) {
-  std::string finding;
-  const auto small = figure(operations, "window_1_64", kCohenSutherland, "rejected_free_percent");
-  const auto lines = figure(operations, "long_lines", kCohenSutherland, "rejected_free_percent");
+std::string finding(const std::vector<TimeRow>& times, const std::vector<OperationsRow>& operations,
+                    const std::vector<IntersectionRow>& intersections) {
+  using R = OperationsRow;
+  const auto figure = [&](const char* mix, const char* clipper, R::Figure R::*member) {
+    const R* row = find_row(operations, &R::mix, mix, &R::clipper, clipper);
+    return row == nullptr ? std::nullopt : row->*member;
+  };
+  std::vector<std::string> sentences;
+  const auto small = figure("window_1_64", kCohenSutherland, &R::rejected_free_percent);
+  const auto lines = figure("long_lines", kCohenSutherland, &R::rejected_free_percent);
   if (small && lines) {
-    finding += fmt::format(
-        "With a window of 1/64 of the drawing Cohen-Sutherland rejects {:.1f} % of the invisible "
-        "lines without an intersection, of lines right across the drawing {:.1f} %.",
-        *small, *lines);
+    sentences.push_back(fmt::format(
+        "With a window of 1/64 of the drawing Cohen-Sutherland rejects {:.1f} % of the invisible lines without an intersection, of lines right across the drawing {:.1f} %.",
+        *small, *lines));
   }
-  const auto repeated =
-      figure(operations, "cross_several", kCohenSutherland, "divisions_per_shortened");
-  const auto moved =
-      figure(operations, "cross_several", kCohenSutherland, "moved_ends_per_shortened");
-  const auto published = figure(operations, "inside", kPublished, "divisions_per_accepted");
-  const auto products = figure(operations, "inside", kProducts, "divisions_per_accepted");
-  const auto once = figure(operations, "cross_several", kProducts, "divisions_per_shortened");
+  const auto repeated = figure("cross_several", kCohenSutherland, &R::divisions_per_shortened);
+  const auto moved = figure("cross_several", kCohenSutherland, &R::moved_ends_per_shortened);
+  const auto published = figure("inside", kPublished, &R::divisions_per_accepted);
+  const auto products = figure("inside", kProducts, &R::divisions_per_accepted);
+  const auto once = figure("cross_several", kProducts, &R::divisions_per_shortened);
   if (repeated && moved && published && products && once) {
-    finding += fmt::format(
-        "{}Where several planes cut it computes {:.2f} intersections to move {:.2f} ends, "
-        "Liang-Barsky by products {:.2f}; to accept, that divides {:.0f} times, Liang-Barsky as "
-        "published {:.0f} times.",
-        separator(finding), *repeated, *moved, *once, *products, *published);
+    sentences.push_back(fmt::format(
+        "Where several planes cut it computes {:.2f} intersections to move {:.2f} ends, Liang-Barsky by products {:.2f}; to accept, that divides {:.0f} times, Liang-Barsky as published {:.0f} times.",
+        *repeated, *moved, *once, *products, *published));
   }
-  if (intersections.rows().size() > 4) {
-    const RowView any(intersections, 0), oblique(intersections, 4);
-    finding += fmt::format(
-        "{}An intersection takes {:.0f} multiplications and {:.0f} division with any plane, {:.0f} "
-        "and {:.0f} in clip space, oblique or not.",
-        separator(finding), any.find_number("multiplications").value_or(0),
-        any.find_number("divisions").value_or(0),
-        oblique.find_number("multiplications").value_or(0),
-        oblique.find_number("divisions").value_or(0));
+  if (intersections.size() > 4) {
+    const OperationCounts &any = intersections[0].cut, &oblique = intersections[4].cut;
+    sentences.push_back(fmt::format(
+        "An intersection takes {} multiplications and {} division with any plane, {} and {} in clip space, oblique or not.",
+        any.multiplications, any.divisions, oblique.multiplications, oblique.divisions));
   }
-  if (!times.rows().empty()) {
-    finding += separator(finding) + fastest_text(times, rows_of(times).front().text("scalar"));
-    std::vector<std::string> scalars;
-    for (const RowView& row : rows_of(times)) {
-      add_once(scalars, row.text("scalar"));
-    }
-    for (const std::string& scalar : scalars) finding += wrong_text(times, scalar);
+  if (!times.empty()) sentences.push_back(fastest_text(times, times.front().scalar));
+  for (const std::string& scalar : distinct(times, &TimeRow::scalar)) {
+    sentences.push_back(wrong_text(times, scalar));
   }
-  return finding;
+  return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::segments

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/store/database.hpp"
 
+#include <endian.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sqlite3.h>
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <system_error>
 
-#include "experiments/errors.hpp"
+#include "experiments/machine/errors.hpp"
 #include "experiments/store/schema.hpp"
 
 namespace clipscope::experiments {
@@ -24,44 +25,65 @@ void set_up(SQLite::Database& database) {
   database.exec("PRAGMA synchronous = FULL");
 }
 
-int pragma(const SQLite::Database& database, const char* name) {
-  SQLite::Statement statement(database, fmt::format("PRAGMA {}", name));
-  statement.executeStep();
-  return statement.getColumn(0).getInt();
+// The database, set up. refused: what can't be done with the file if it can't be opened.
+template <class Error>
+DatabasePointer connect(const std::string& name, int flags, const char* refused) {
+  DatabasePointer database;
+  try {
+    database = std::make_shared<SQLite::Database>(name, flags);
+  } catch (const SQLite::Exception& error) {
+    throw Error(fmt::format("{}: can't be {}: {}", name, refused, error.what()));
+  }
+  with_reasons<Error>(*database, [&] { set_up(*database); });
+  return database;
 }
 
-void check_version(const SQLite::Database& database) {
+void check_version(SQLite::Database& database) {
   const std::string& file = database.getFilename();
-  if (pragma(database, "application_id") != kApplicationId) {
+  if (database.execAndGet("PRAGMA application_id").getInt() != kApplicationId) {
     throw InputError(fmt::format("{}: is no results store of clipscope", file));
   }
-  if (const int version = pragma(database, "user_version"); version != kSchemaVersion) {
-    throw InputError(
-        fmt::format("{}: is a results store of format {}; this clipscope reads format {}", file,
-                    version, kSchemaVersion));
-  }
+  const int version = database.execAndGet("PRAGMA user_version").getInt();
+  if (version == kSchemaVersion) return;
+  throw InputError(
+      fmt::format("{}: is a results store of format {}; this clipscope reads format {}", file,
+                  version, kSchemaVersion));
 }
 
-using Bytes = std::array<unsigned char, sizeof(double)>;
+void bind(SQLite::Statement& statement, int index, double number) {
+  if (!std::isnan(number)) return statement.bind(index, number);
+  const std::uint64_t bytes = htobe64(std::bit_cast<std::uint64_t>(number));
+  statement.bind(index, &bytes, sizeof bytes);
+}
+void bind(SQLite::Statement& statement, int index, std::monostate) { statement.bind(index); }
+void bind(SQLite::Statement& statement, int index, const auto& value) {
+  statement.bind(index, value);
+}
 
-Bytes bytes_of(double value) {
-  Bytes bytes{};
-  auto bits = std::bit_cast<std::uint64_t>(value);
-  for (std::size_t i = bytes.size(); i-- > 0; bits >>= 8) {
-    bytes[i] = static_cast<unsigned char>(bits & 0xFF);
+void bind_all(SQLite::Statement& statement, const Cells& values) {
+  int index = 0;
+  for (const Cell& cell : values) {
+    ++index;
+    std::visit([&](const auto& value) { bind(statement, index, value); }, cell);
   }
-  return bytes;
 }
 
 double double_of(const void* blob) {
-  const auto* bytes = static_cast<const unsigned char*>(blob);
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < sizeof bits; ++i) bits = bits << 8 | bytes[i];
-  return std::bit_cast<double>(bits);
+  std::uint64_t bytes = 0;
+  std::memcpy(&bytes, blob, sizeof bytes);
+  return std::bit_cast<double>(be64toh(bytes));
 }
 
-// The last failed call on the file, whose number a failed commit does not pass on to the connection; else
-// that of the connection; 0 if there was none.
+Cell cell_of(const SQLite::Column& column) {
+  if (column.isInteger()) return std::int64_t{column.getInt64()};
+  if (column.isFloat()) return column.getDouble();
+  if (column.isText()) return column.getString();
+  if (column.isBlob() && column.getBytes() == sizeof(double)) return double_of(column.getBlob());
+  return std::monostate();
+}
+
+// The last failed call on the file, whose number a failed commit does not pass on to the
+// connection; else that of the connection; 0 if there was none.
 int system_error_of(sqlite3* connection) {
   int number = 0;
   sqlite3_file_control(connection, "main", SQLITE_FCNTL_LAST_ERRNO, &number);
@@ -71,27 +93,15 @@ int system_error_of(sqlite3* connection) {
 }  // namespace
 
 DatabasePointer create_database(const std::filesystem::path& file, const RunInfo& info) {
-  const std::string name = file.empty() ? ":memory:" : file.string();
-  DatabasePointer database;
-  try {
-    database =
-        std::make_shared<SQLite::Database>(name, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  } catch (const SQLite::Exception& error) {
-    throw OutputError(fmt::format("{}: can't be written: {}", name, error.what()));
-  }
+  DatabasePointer database =
+      connect<OutputError>(file.empty() ? ":memory:" : file.string(),
+                           SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, "written");
   with_reasons<OutputError>(*database, [&] {
-    set_up(*database);
     SQLite::Transaction transaction(*database);
     database->exec(kSchema);
     database->exec(fmt::format("PRAGMA application_id = {}", kApplicationId));
     database->exec(fmt::format("PRAGMA user_version = {}", kSchemaVersion));
-    SQLite::Statement insert(*database, "INSERT INTO run(key, value) VALUES(?, ?)");
-    for (const auto& [key, value] : info) {
-      insert.bind(1, key);
-      insert.bind(2, value);
-      insert.exec();
-      insert.reset();
-    }
+    for (const auto& [key, value] : info) insert(*database, "run", {key, value});
     transaction.commit();
   });
   return database;
@@ -103,75 +113,62 @@ DatabasePointer open_database(const std::filesystem::path& file) {
     throw InputError(fmt::format("{}: there is no such file; `clipscope run --out DIR` writes it",
                                  file.string()));
   }
-  DatabasePointer database;
-  try {
-    // Read only where the file can't be written; else writable for readers, too: only so can SQLite undo
-    // what a killed writer has left.
-    database = std::make_shared<SQLite::Database>(file.string(), SQLite::OPEN_READWRITE);
-  } catch (const SQLite::Exception& error) {
-    throw InputError(fmt::format("{}: can't be opened: {}", file.string(), error.what()));
-  }
-  with_reasons<InputError>(*database, [&] {
-    set_up(*database);
-    check_version(*database);
-  });
+  // Read only where the file can't be written; else writable for readers, too: only so can SQLite
+  // undo what a killed writer has left.
+  DatabasePointer database = connect<InputError>(file.string(), SQLite::OPEN_READWRITE, "opened");
+  with_reasons<InputError>(*database, [&] { check_version(*database); });
   return database;
 }
 
 bool is_blank_database(const std::filesystem::path& file) {
   try {
-    SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
-    set_up(database);
-    return database.execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
-  } catch (const SQLite::Exception&) {
+    const auto database = connect<InputError>(file.string(), SQLite::OPEN_READWRITE, "opened");
+    return database->execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
+  } catch (const std::runtime_error&) {
     return false;
   }
 }
 
 std::string reason_of(const SQLite::Database& database, const SQLite::Exception& error) {
-  std::string text = fmt::format("{}: {}", database.getFilename(), error.what());
-  switch (error.getErrorCode()) {
-    case SQLITE_IOERR:
-    case SQLITE_CANTOPEN:
-    case SQLITE_FULL:
-      if (const int number = system_error_of(database.getHandle()); number != 0) {
-        text += fmt::format(" ({})", std::generic_category().message(number));
-      }
-      break;
-    default: break;
-  }
-  return text;
+  const std::string text = fmt::format("{}: {}", database.getFilename(), error.what());
+  const int code = error.getErrorCode();
+  if (code != SQLITE_IOERR && code != SQLITE_CANTOPEN && code != SQLITE_FULL) return text;
+  const int number = system_error_of(database.getHandle());
+  return number == 0 ? text : fmt::format("{} ({})", text, std::generic_category().message(number));
 }
 
-std::string sql_name(const std::string& name) {
-  std::string text = "\"";
-  for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + '"';
+std::string sql_keys(const Table& table) {
+  std::vector<std::string> keys;
+  for (const Column& column : table.columns()) keys.push_back(double_quoted(column.key));
+  return fmt::format("{}", fmt::join(keys, ", "));
 }
 
-void bind_cell(SQLite::Statement& statement, int index, const Cell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) {
-    statement.bind(index, *text);
-  } else if (const auto* count = std::get_if<std::int64_t>(&cell)) {
-    statement.bind(index, *count);
-  } else if (const auto* number = std::get_if<double>(&cell)) {
-    if (std::isnan(*number)) {
-      const Bytes bytes = bytes_of(*number);
-      statement.bind(index, bytes.data(), static_cast<int>(bytes.size()));
-    } else {
-      statement.bind(index, *number);
+void execute(SQLite::Database& database, const std::string& sql, const Cells& values) {
+  SQLite::Statement statement(database, sql);
+  bind_all(statement, values);
+  statement.exec();
+}
+
+void insert(SQLite::Database& database, const std::string& table, const Cells& values) {
+  const std::vector<const char*> parameters(values.size(), "?");
+  execute(
+      database,
+      fmt::format("INSERT INTO {} VALUES({})", double_quoted(table), fmt::join(parameters, ", ")),
+      values);
+}
+
+std::vector<Cells> rows(const SQLite::Database& database, const std::string& sql,
+                        const Cells& values) {
+  SQLite::Statement statement(database, sql);
+  bind_all(statement, values);
+  std::vector<Cells> rows;
+  while (statement.executeStep()) {
+    Cells& cells = rows.emplace_back();
+    for (int c = 0; c < statement.getColumnCount(); ++c) {
+      cells.push_back(cell_of(statement.getColumn(c)));
     }
-  } else {
-    statement.bind(index);
   }
-}
-
-Cell cell_of(const SQLite::Column& column) {
-  if (column.isInteger()) return std::int64_t{column.getInt64()};
-  if (column.isFloat()) return column.getDouble();
-  if (column.isText()) return column.getString();
-  if (column.isBlob() && column.getBytes() == sizeof(double)) return double_of(column.getBlob());
-  return std::monostate();
+  return rows;
 }
 
 }  // namespace clipscope::experiments

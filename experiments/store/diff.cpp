@@ -8,21 +8,21 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <span>
 
-#include "experiments/errors.hpp"
-#include "experiments/store/run_identity.hpp"
+#include "experiments/machine/errors.hpp"
+#include "experiments/store/run_folder.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
 using Row = std::vector<Cell>;
-constexpr std::size_t kNoInterval = SIZE_MAX;
 
-std::optional<double> number_of(const Cell& cell) {
-  if (const auto* count = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*count);
-  if (const auto* number = std::get_if<double>(&cell)) return *number;
-  return std::nullopt;
-}
+// A column that both tables have, by its place in each.
+struct Shared {
+  std::size_t a, b;
+};
+using Place = std::size_t Shared::*;
 
 bool is_same(const Cell& a, const Cell& b) {
   if (a == b) return true;
@@ -30,53 +30,20 @@ bool is_same(const Cell& a, const Cell& b) {
   return x != nullptr && y != nullptr && std::isnan(*x) && std::isnan(*y);
 }
 
-std::string text_of(const Cell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
-  if (const auto* count = std::get_if<std::int64_t>(&cell)) return fmt::format("{}", *count);
-  if (const auto* number = std::get_if<double>(&cell)) return fmt::format("{}", *number);
-  return "-";
-}
-
-// By the first `columns` cells.
-std::string key_of(const Row& row, const std::vector<std::size_t>& columns) {
+std::string key_of(const Row& row, std::span<const Shared> columns, Place place) {
   std::string key;
-  for (const std::size_t c : columns) key += (key.empty() ? "" : ", ") + text_of(row[c]);
+  for (const Shared& column : columns) {
+    const Cell& cell = row[column.*place];
+    key += (key.empty() ? "" : ", ") + (cell == Cell() ? "-" : full_text(cell));
+  }
   return key;
 }
 
-bool are_unique(const Table& table, const std::vector<std::size_t>& columns) {
+bool are_unique(const Table& table, std::span<const Shared> columns, Place place) {
   std::set<std::string> keys;
-  return std::ranges::all_of(
-      table.rows(), [&](const Row& row) { return keys.insert(key_of(row, columns)).second; });
-}
-
-// The columns of both tables by their place in each.
-struct Shared {
-  std::vector<std::size_t> a, b;
-};
-
-std::size_t find_column(const Table& table, const std::string& key) {
-  const auto& columns = table.columns();
-  return static_cast<std::size_t>(std::ranges::find(columns, key, &Column::key) - columns.begin());
-}
-
-void find_lone_columns(const Table& table, const Table& other, bool in_a, Difference& difference) {
-  for (const Column& column : table.columns()) {
-    if (find_column(other, column.key) == other.columns().size()) {
-      difference.lone.push_back({table.name(), "", column.key, in_a});
-    }
-  }
-}
-
-Shared shared_columns(const Table& a, const Table& b) {
-  Shared shared;
-  for (std::size_t c = 0; c < a.columns().size(); ++c) {
-    const std::size_t in_b = find_column(b, a.columns()[c].key);
-    if (in_b == b.columns().size()) continue;
-    shared.a.push_back(c);
-    shared.b.push_back(in_b);
-  }
-  return shared;
+  return std::ranges::all_of(table.rows(), [&](const Row& row) {
+    return keys.insert(key_of(row, columns, place)).second;
+  });
 }
 
 bool is_text(const Table& table, std::size_t column) {
@@ -85,79 +52,83 @@ bool is_text(const Table& table, std::size_t column) {
   });
 }
 
-// How many of the shared columns make up the key.
-std::size_t key_length(const Table& a, const Table& b, const Shared& shared) {
-  Shared key;
-  for (std::size_t n = 0; n < shared.a.size(); ++n) {
-    key.a.push_back(shared.a[n]);
-    key.b.push_back(shared.b[n]);
-    if (are_unique(a, key.a) && are_unique(b, key.b)) return n + 1;
+// Adds the columns that one table alone has to the difference.
+std::vector<Shared> shared_columns(const Table& a, const Table& b, Difference& difference) {
+  std::vector<Shared> shared;
+  for (std::size_t c = 0; const Column& column : a.columns()) {
+    const auto in_b = std::ranges::find(b.columns(), column.key, &Column::key);
+    if (in_b == b.columns().end()) {
+      difference.lone.push_back({a.name(), "", column.key, true});
+    } else {
+      shared.push_back({c, static_cast<std::size_t>(in_b - b.columns().begin())});
+    }
+    ++c;
   }
-  std::size_t texts = 0;
-  while (texts < shared.a.size() && is_text(a, shared.a[texts]) && is_text(b, shared.b[texts])) {
-    ++texts;
+  for (const Column& column : b.columns()) {
+    if (std::ranges::count(a.columns(), column.key, &Column::key) > 0) continue;
+    difference.lone.push_back({b.name(), "", column.key, false});
   }
-  return texts;
+  return shared;
 }
 
-// Rows by key; of rows with the same key, the second is "key (2)", and so on.
-std::map<std::string, const Row*> rows_by_key(const Table& table,
-                                              const std::vector<std::size_t>& columns,
-                                              std::vector<std::string>& order) {
-  std::map<std::string, const Row*> rows;
+// The leading columns that make up the key.
+std::span<const Shared> key_columns(const Table& a, const Table& b,
+                                    std::span<const Shared> shared) {
+  for (std::size_t n = 1; n <= shared.size(); ++n) {
+    const std::span<const Shared> key = shared.first(n);
+    if (are_unique(a, key, &Shared::a) && are_unique(b, key, &Shared::b)) return key;
+  }
+  return {shared.begin(), std::ranges::find_if_not(shared, [&](const Shared& column) {
+            return is_text(a, column.a) && is_text(b, column.b);
+          })};
+}
+
+// In the table's order; of rows with the same key, the second is "key (2)", and so on.
+std::vector<std::pair<std::string, const Row*>> rows_by_key(const Table& table,
+                                                            std::span<const Shared> columns,
+                                                            Place place) {
+  std::vector<std::pair<std::string, const Row*>> rows;
   std::map<std::string, int> times;
   for (const Row& row : table.rows()) {
-    std::string key = key_of(row, columns);
+    std::string key = key_of(row, columns, place);
     if (const int n = ++times[key]; n > 1) key += fmt::format(" ({})", n);
-    rows[key] = &row;
-    order.push_back(key);
+    rows.emplace_back(std::move(key), &row);
   }
   return rows;
 }
 
-bool is_interval(const std::string& figure, const std::string& low, const std::string& high) {
-  if (!low.ends_with("_low") || !high.ends_with("_high")) return false;
+// Whether the first of the columns is a figure whose interval is in the next two.
+bool has_interval(const Table& a, std::span<const Shared> columns) {
+  if (columns.size() < 3) return false;
+  const auto key = [&](std::size_t n) { return a.columns()[columns[n].a].key; };
+  const std::string low = key(1);
+  if (!low.ends_with("_low")) return false;
   const std::string stem = low.substr(0, low.size() - 4);
-  return !stem.empty() && high == stem + "_high" && figure.starts_with(stem);
+  return !stem.empty() && key(2) == stem + "_high" && key(0).starts_with(stem);
 }
 
-// For each shared column, the place of its interval's low end among the shared columns.
-std::vector<std::size_t> intervals_of(const Table& a, const Shared& shared) {
-  std::vector<std::size_t> low(shared.a.size(), kNoInterval);
-  const auto key = [&](std::size_t n) { return a.columns()[shared.a[n]].key; };
-  for (std::size_t n = 0; n + 2 < shared.a.size(); ++n) {
-    if (is_interval(key(n), key(n + 1), key(n + 2))) low[n] = n + 1;
-  }
-  return low;
-}
-
-// Nothing if an end is no number.
-std::optional<bool> are_apart(const Row& a, const Row& b, const Shared& shared, std::size_t low) {
-  const auto a_low = number_of(a[shared.a[low]]), a_high = number_of(a[shared.a[low + 1]]);
-  const auto b_low = number_of(b[shared.b[low]]), b_high = number_of(b[shared.b[low + 1]]);
+// Nothing if an end of the interval is no number.
+std::optional<bool> are_apart(const Row& a, const Row& b, const Shared& low, const Shared& high) {
+  const auto a_low = number_of(a[low.a]), a_high = number_of(a[high.a]);
+  const auto b_low = number_of(b[low.b]), b_high = number_of(b[high.b]);
   if (!a_low || !a_high || !b_low || !b_high) return std::nullopt;
   return *a_high < *b_low || *b_high < *a_low;
 }
 
-struct RowPair {
-  const Row &a, &b;
-  std::string key;
-};
-
-void compare_rows(const Table& table, const RowPair& rows, const Shared& shared, std::size_t first,
-                  Difference& difference) {
-  const std::vector<std::size_t> intervals = intervals_of(table, shared);
-  for (std::size_t n = first; n < shared.a.size(); ++n) {
-    const Cell &a = rows.a[shared.a[n]], &b = rows.b[shared.b[n]];
+// name: of the row.
+void compare_rows(const Table& table, const std::string& name, const Row& a, const Row& b,
+                  std::span<const Shared> figures, Difference& difference) {
+  while (!figures.empty()) {
+    const Shared& figure = figures.front();
+    const bool interval = has_interval(table, figures);
     ++difference.figures;
-    bool moved = !is_same(a, b);
-    if (intervals[n] != kNoInterval) {
-      moved = are_apart(rows.a, rows.b, shared, intervals[n]).value_or(moved);
-    }
+    bool moved = !is_same(a[figure.a], b[figure.b]);
+    if (interval) moved = are_apart(a, b, figures[1], figures[2]).value_or(moved);
     if (moved) {
-      difference.moved.push_back({table.name(), rows.key, table.columns()[shared.a[n]].key, a, b});
+      difference.moved.push_back(
+          {table.name(), name, table.columns()[figure.a].key, a[figure.a], b[figure.b]});
     }
-    if (intervals[n] != kNoInterval) n += 2;
+    figures = figures.subspan(interval ? 3 : 1);
   }
 }
 
@@ -181,24 +152,22 @@ void compare_runs(const RunInfo& a, const RunInfo& b, Difference& difference) {
 }  // namespace
 
 void add_difference(const Table& a, const Table& b, Difference& difference) {
-  find_lone_columns(a, b, true, difference);
-  find_lone_columns(b, a, false, difference);
-  const Shared shared = shared_columns(a, b);
-  const std::size_t keys = key_length(a, b, shared);
-  const auto count = static_cast<std::ptrdiff_t>(keys);
-  std::vector<std::string> order_a, order_b;
-  const auto rows_a = rows_by_key(a, {shared.a.begin(), shared.a.begin() + count}, order_a);
-  const auto rows_b = rows_by_key(b, {shared.b.begin(), shared.b.begin() + count}, order_b);
-  for (const std::string& key : order_a) {
-    const auto in_b = rows_b.find(key);
-    if (in_b == rows_b.end()) {
-      difference.lone.push_back({a.name(), key, "", true});
+  const std::vector<Shared> shared = shared_columns(a, b, difference);
+  const std::span<const Shared> key = key_columns(a, b, shared);
+  const std::span<const Shared> figures = std::span(shared).subspan(key.size());
+  const auto rows_a = rows_by_key(a, key, &Shared::a), rows_b = rows_by_key(b, key, &Shared::b);
+  const std::map<std::string, const Row*> in_a(rows_a.begin(), rows_a.end());
+  const std::map<std::string, const Row*> in_b(rows_b.begin(), rows_b.end());
+  for (const auto& [name, row] : rows_a) {
+    const auto other = in_b.find(name);
+    if (other == in_b.end()) {
+      difference.lone.push_back({a.name(), name, "", true});
     } else {
-      compare_rows(a, {*rows_a.at(key), *in_b->second, key}, shared, keys, difference);
+      compare_rows(a, name, *row, *other->second, figures, difference);
     }
   }
-  for (const std::string& key : order_b) {
-    if (!rows_a.contains(key)) difference.lone.push_back({a.name(), key, "", false});
+  for (const auto& [name, row] : rows_b) {
+    if (!in_a.contains(name)) difference.lone.push_back({a.name(), name, "", false});
   }
 }
 

@@ -2,21 +2,21 @@
 //
 // Two runs compared: which figures moved.
 //
-// Rows: a row's key is its cells in the fewest leading columns by which each row of either table can be told
-// from the others; rows of the same key are compared. Where all columns are not enough, the key is the
-// leading columns of text, and rows of the same key are compared in their order.
-// Intervals: columns S_low and S_high that follow a column whose key begins with S, in this order, are the
-// interval of that column's figure (ns_per_triangle, ns_low, ns_high). Such a figure has moved if the
-// intervals of both runs have no point in common. A figure without an interval has moved if it is another
-// value; NaN is the same as NaN, and 0 as -0.
+// Rows: a row's key is its cells in the fewest leading columns by which each row of either table
+// can be told from the others; rows of the same key are compared. Where all columns are not enough,
+// the key is the leading columns of text, and rows of the same key are compared in their order.
+// Intervals: columns S_low and S_high that follow a column whose key begins with S, in this order,
+// are the interval of that column's figure (ns_per_triangle, ns_low, ns_high). Such a figure has
+// moved if the intervals of both runs have no point in common. A figure without an interval has
+// moved if it is another value; NaN is the same as NaN, and 0 as -0.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "experiments/report/table.hpp"
 #include "experiments/store/results_store.hpp"
+#include "experiments/table/table.hpp"
 
 namespace clipscope::experiments {
 

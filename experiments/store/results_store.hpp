@@ -2,8 +2,8 @@
 //
 // The results of a run, read: one SQLite file per results folder, DIR/results.sqlite.
 //
-// What is read is what was committed: of a run in work or one that was killed, all that was finished. The
-// tables of the file are described in experiments/store/schema.hpp.
+// What is read is what was committed: of a run in work or one that was killed, all that was
+// finished. experiments/store/schema.hpp describes the tables of the file.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/report/table.hpp"
-#include "experiments/store/cell_record.hpp"
+#include "experiments/store/piece_record.hpp"
+#include "experiments/table/table.hpp"
 
 namespace SQLite {
 class Database;
@@ -23,8 +23,8 @@ namespace clipscope::experiments {
 
 inline constexpr const char* kStoreFile = "results.sqlite";
 
-// machine, compiler, flags, version, commit, seed, started (UTC, ISO 8601), options (JSON), command: in the
-// order in which people read them.
+// machine, compiler, flags, version, commit, seed, started (UTC, ISO 8601), options (JSON),
+// command: in the order in which people read them.
 using RunInfo = std::vector<std::pair<std::string, std::string>>;
 
 struct StoredExperiment {
@@ -48,13 +48,14 @@ struct StoredFigure {
 struct StoredTable {
   std::string name, experiment, title;
   std::size_t rows = 0;
-  bool complete = false;  // false: the run ended, or is, between its cells
+  bool complete = false;  // false: the run ended, or is, between its pieces
 };
 
 class ResultsStore {
  public:
   // Opens the file, or that of the folder, to read it.
-  // Errors: InputError with path and reason if there is none, if it is no store, or one of another version.
+  // Errors: InputError with path and reason if there is none, if it is no store, or one of another
+  // version.
   explicit ResultsStore(const std::filesystem::path& file_or_folder);
   // Reads through a connection that somebody else writes through.
   ResultsStore(std::shared_ptr<SQLite::Database> database, std::filesystem::path file);
@@ -67,17 +68,20 @@ class ResultsStore {
   std::vector<StoredExperiment> experiments() const;
   // In the order in which they were first stored, by experiment.
   std::vector<StoredTable> tables() const;
-  std::vector<std::string> table_names(const std::string& experiment) const;
   bool has_table(const std::string& name) const;
-  // Of that table, without its rows; none if there is no such table.
+  // The columns of that table; none if there is no such table.
   std::vector<Column> columns(const std::string& table_name) const;
-  // With its title, notes, and values to the bit. Errors: UsageError listing the names if there is none.
+  // With its title, notes, and values to the bit. Errors: UsageError listing the names if there is
+  // none.
   Table table(const std::string& name) const;
   // Plots, then pictures.
   std::vector<StoredFigure> figures(const std::string& experiment) const;
   std::vector<WorstInput> worst_inputs(const std::string& experiment) const;
 
  private:
+  template <class Row, std::size_t kColumns>
+  std::vector<Row> read(const std::string& sql, const std::vector<Cell>& values = {}) const;
+
   std::shared_ptr<SQLite::Database> database_;
   std::filesystem::path file_;
 };

@@ -3,6 +3,9 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,18 +13,120 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "experiments/errors.hpp"
+#include "experiments/machine/build_info.hpp"
+#include "experiments/machine/errors.hpp"
+#include "experiments/machine/files.hpp"
+#include "experiments/machine/machine.hpp"
 #include "experiments/store/database.hpp"
-#include "experiments/store/date.hpp"
-#include "experiments/store/run_identity.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
+using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-// A run that was killed before the end of its first transaction leaves an empty file, or one that is empty
-// again when that is undone.
+Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+Json json_of(const std::optional<glm::dvec3>& v) {
+  return v ? Json::array({(*v)[0], (*v)[1], (*v)[2]}) : Json();
+}
+
+// The options that decide the results, by their names on the command line.
+Json options_of(const Selection& s) {
+  return {{"scene", s.scenes},
+          {"clipper", s.clipper},
+          {"scalar", s.scalars},
+          {"seed", s.seed},
+          {"sample", s.sample},
+          {"quick", s.quick},
+          {"pictures", s.pictures},
+          {"eye", json_of(s.camera.eye)},
+          {"target", json_of(s.camera.target)},
+          {"up", json_of(s.camera.up)},
+          {"fovy", s.camera.fovy_degrees},
+          {"aspect", s.camera.aspect},
+          {"near", json_of(s.camera.near)},
+          {"far", json_of(s.camera.far)},
+          {"walk", s.camera.walk}};
+}
+
+std::string shell_quoted(const std::string& text) {
+  constexpr const char* kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:+=@";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string value_text(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.is_null() ? "" : value.dump();
+  std::vector<std::string> parts;
+  std::ranges::transform(value, std::back_inserter(parts), value_text);
+  return fmt::format("{}", fmt::join(parts, ","));
+}
+
+std::string as_option(const std::string& name, const Json& value) {
+  if (value.is_boolean()) return fmt::format(" --{}", name);
+  if (name != "scene") return fmt::format(" --{} {}", name, shell_quoted(value_text(value)));
+  std::string options;  // may be repeated
+  for (const Json& scene : value) options += fmt::format(" --scene {}", shell_quoted(scene));
+  return options;
+}
+
+// FNV-1a of 64 bits, as hexadecimal digits: tells files apart that were not made alike on purpose.
+std::string fingerprint(const fs::path& path) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : read_if_there(path)) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+std::string files_read(const Selection& selection) {
+  std::vector<std::string> files;
+  for (const std::string& scene : selection.scenes) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(scene, ignored)) continue;
+    files.push_back(fmt::format("{} {}", scene, fingerprint(scene)));
+  }
+  return fmt::format("{}", fmt::join(files, ", "));
+}
+
+// Processor and how many there are.
+std::string machine_name() {
+  const std::string description = machine_description();
+  return description.substr(0, description.find(';'));
+}
+
+void check_resumable(const RunInfo& stored, const RunInfo& now, const fs::path& file) {
+  std::vector<std::string> differences;
+  const auto differ = [&](const std::string& what, const std::string& a, const std::string& b) {
+    const auto shown = [](const std::string& text) { return text.empty() ? "none" : text; };
+    differences.push_back(fmt::format("{}: {} then, {} now", what, shown(a), shown(b)));
+  };
+  const Json now_options = Json::parse(value_of(now, "options"));
+  const Json stored_options = Json::parse(value_of(stored, "options"), nullptr, false);
+  for (const auto& [name, value] : now_options.items()) {
+    const Json before = stored_options.is_object() ? stored_options.value(name, Json()) : Json();
+    if (before != value) differ("--" + name, value_text(before), value_text(value));
+  }
+  for (const char* key : {"version", "commit", "compiler", "flags", "machine", "files"}) {
+    const std::string before = value_of(stored, key), value = value_of(now, key);
+    if (before != value) differ(key, before, value);
+  }
+  if (value_of(stored, "program") != value_of(now, "program") &&
+      value_of(stored, "commit") == value_of(now, "commit")) {
+    differences.push_back("program: built anew since");
+  }
+  if (differences.empty()) return;
+  throw UsageError(fmt::format(
+      "--resume: the results in {} are of another run ({}); resume with what it was run with, or run anew without --resume",
+      file.string(), fmt::join(differences, "; ")));
+}
+
+// A run that was killed before the end of its first transaction leaves an empty file, or one that
+// is empty again when that is undone.
 bool is_there(const fs::path& file) {
   std::error_code error;
   const auto size = fs::file_size(file, error);
@@ -49,17 +154,16 @@ std::string as_stem(std::string date) {
 void move_file(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);
-  if (error) {
-    throw OutputError(
-        fmt::format("{}: can't be renamed to {}: {}", from.string(), to.string(), error.message()));
-  }
+  if (!error) return;
+  throw OutputError(
+      fmt::format("{}: can't be renamed to {}: {}", from.string(), to.string(), error.message()));
 }
 
 fs::path keep_under_its_date(const fs::path& file) {
-  const std::string stem = fmt::format("results-{}", as_stem(date_of_store(file)));
+  const std::string stem = "results-" + as_stem(date_of_store(file));
   fs::path kept = file.parent_path() / (stem + ".sqlite");
   for (int i = 2; fs::exists(kept); ++i) {
-    kept = file.parent_path() / fmt::format("{}-{}.sqlite", stem, i);
+    kept.replace_filename(fmt::format("{}-{}.sqlite", stem, i));
   }
   // What SQLite needs to undo an interrupted transaction goes with its file.
   const fs::path journal = file.string() + "-journal";
@@ -70,6 +174,41 @@ fs::path keep_under_its_date(const fs::path& file) {
 
 }  // namespace
 
+Selection default_run_selection() {
+  Selection selection;
+  selection.scalars = {"float", "double", "double_double", "exact"};
+  return selection;
+}
+
+RunInfo run_info_of(const Selection& selection) {
+  return {{"machine", machine_name()},
+          {"compiler", fmt::format("{} {}", kCompiler, kCompilerVersion)},
+          {"flags", kFlags},
+          {"version", kVersion},
+          {"commit", kCommit},
+          {"program", fingerprint("/proc/self/exe")},
+          {"seed", std::to_string(selection.seed)},
+          {"started", date_now()},
+          {"command", run_command(selection, "")},
+          {"options", options_of(selection).dump()},
+          {"files", files_read(selection)}};
+}
+
+std::string value_of(const RunInfo& info, const std::string& key) {
+  const auto found = std::ranges::find(info, key, &RunInfo::value_type::first);
+  return found == info.end() ? "" : found->second;
+}
+
+std::string run_command(const Selection& selection, const std::string& experiment) {
+  std::string command = "clipscope run";
+  if (!experiment.empty()) command += " " + experiment;
+  const Json defaults = options_of(default_run_selection()), options = options_of(selection);
+  for (const auto& [name, value] : options.items()) {
+    if (value != defaults.at(name)) command += as_option(name, value);
+  }
+  return command;
+}
+
 FolderLock::FolderLock(const fs::path& folder)
     : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) {
@@ -77,8 +216,7 @@ FolderLock::FolderLock(const fs::path& folder)
   }
   ::close(descriptor_);
   throw OutputError(fmt::format(
-      "{}: another clipscope is writing its results into this folder; wait for it, or name another "
-      "folder with --out",
+      "{}: another clipscope is writing its results into this folder; wait for it, or name another folder with --out",
       folder.string()));
 }
 

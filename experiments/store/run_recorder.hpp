@@ -2,8 +2,8 @@
 //
 // The results of a run, written as its experiments get them, one experiment after the other.
 //
-// Each call commits one transaction and is on the disk when it returns; a process killed in between loses
-// what it had not finished. For one thread.
+// Each call commits one transaction and is on the disk when it returns; a process killed in between
+// loses what it had not finished. For one thread.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/store/cell_record.hpp"
+#include "experiments/store/piece_record.hpp"
 #include "experiments/store/results_store.hpp"
 
 namespace clipscope::experiments {
@@ -27,24 +27,25 @@ class RunRecorder {
 
   const ResultsStore& store() const { return store_; }
 
-  // All following: OutputError with path and reason if the store can't be written; nothing is changed then.
+  // All following: OutputError with path and reason if the store can't be written; nothing is
+  // changed then.
 
   // What follows belongs to this experiment. position: where it stands among the experiments.
   void begin(const StoredExperiment& experiment, std::int64_t position);
   // It is done; seconds: since begin.
   void finish(double seconds);
 
-  // If the experiment has the cell: adds its rows to the tables. A cell whose pictures are gone from the
-  // folder is forgotten.
-  bool restore(const std::string& cell, std::initializer_list<Table*> tables,
+  // If the experiment has the piece: adds its rows to the tables. A piece whose pictures are gone
+  // from the folder is forgotten.
+  bool restore(const std::string& piece, std::initializer_list<Table*> tables,
                const std::filesystem::path& folder);
   // Does the work, then stores the rows that it added to the tables, and its record.
   // Errors: OutputError for a table or column whose name the store needs itself, a table of another
   // experiment's, and columns that aren't what they were.
-  void record(const std::string& cell, std::initializer_list<Table*> tables,
-              const std::function<void(CellRecord&)>& work);
+  void record(const std::string& piece, std::initializer_list<Table*> tables,
+              const std::function<void(PieceRecord&)>& work);
 
-  // The whole table: rows that are of no cell, title and notes, too.
+  // The whole table: rows that belong to no piece, title and notes, too.
   void add(const Table& table);
   void add(const StoredFigure& figure);
   void set_finding(const std::string& sentence);
@@ -53,26 +54,26 @@ class RunRecorder {
   std::optional<Table> added(const std::string& table_name) const;
 
  private:
-  struct Rows {  // of a table, that a cell has added
+  struct Rows {  // of a table, that a piece has added
     std::size_t first, count;
   };
 
-  std::int64_t insert_cell(const std::string& name, double seconds);
-  void insert_record(std::int64_t cell, const CellRecord& record);
+  // id: the piece; empty for what belongs to none.
+  void write(const std::string& sql, const std::vector<Cell>& values);
+  void restore_rows(const std::string& piece, const Cell& id, Table& table);
+  void insert_record(const PieceRecord& record, const Cell& id);
+  void insert_figure(const StoredFigure& figure, const Cell& id);
+  void insert_rows(const Table& table, Rows rows, const Cell& id);
+  void create_table(const Table& table);
   void declare(const Table& table, bool complete);
   void check_names(const Table& table) const;
-  void create_table(const Table& table);
-  void insert_rows(const Table& table, Rows rows, std::optional<std::int64_t> cell);
-  void insert_figure(const StoredFigure& figure, std::optional<std::int64_t> cell);
-  bool has_pictures(std::int64_t cell, const std::filesystem::path& folder) const;
-  void restore_rows(const std::string& name, std::int64_t cell, Table& table);
 
   std::shared_ptr<SQLite::Database> database_;
   ResultsStore store_;
   std::string experiment_;
   bool was_finished_ = false;
-  double restored_seconds_ = 0;                    // of cells, spent before this process
-  std::map<std::string, std::vector<Rows>> rows_;  // by table: the rows that cells have added
+  double restored_seconds_ = 0;                    // of pieces, spent before this process
+  std::map<std::string, std::vector<Rows>> rows_;  // by table: the rows that pieces have added
 };
 
 }  // namespace clipscope::experiments

@@ -2,19 +2,16 @@
 //
 // The SQL tables of a store, for people who query it: sqlite3 DIR/results.sqlite.
 //
-// Beside those below, every table of results is an SQL table of its own name with its columns by their
-// keys, then cell_id (NULL for rows that belong to no cell) and row_number:
+// Beside those below, every table of results is an SQL table of its own name with its columns by
+// their keys, then cell_id (NULL for rows that belong to no cell) and row_number:
 //     SELECT clipper, max_px FROM accuracy WHERE scene = 'teapot'
-// A count is an INTEGER, a measured number a REAL with the double's own bits, a text TEXT, an empty cell
-// NULL. SQL has no NaN: one is kept as a BLOB of its eight bytes, most significant first.
+// A count is an INTEGER, a measured number a REAL with the double's own bits, a text TEXT, an empty
+// cell NULL. SQL has no NaN: one is kept as a BLOB of its eight bytes, most significant first.
 #pragma once
-
-#include <array>
-#include <string_view>
 
 namespace clipscope::experiments {
 
-// Of the format below, in PRAGMA user_version; "CLSC" in PRAGMA application_id.
+// The version of the format below, in PRAGMA user_version; PRAGMA application_id is "CLSC".
 inline constexpr int kSchemaVersion = 1;
 inline constexpr int kApplicationId = 0x434c5343;
 
@@ -79,13 +76,5 @@ CREATE TABLE note(            -- beneath a table
   text TEXT NOT NULL,
   PRIMARY KEY(table_name, position));
 )";
-
-// Names that no table of results may have.
-inline constexpr std::array<std::string_view, 9> kStoreTables = {
-    "run",    "experiment",   "cell",          "sample", "worst_input",
-    "figure", "result_table", "result_column", "note"};
-
-// Keys that no column of results may have.
-inline constexpr std::array<std::string_view, 2> kStoreColumns = {"cell_id", "row_number"};
 
 }  // namespace clipscope::experiments

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sign of w: cases of the catalogue and random triangles by pattern x clippers; what each w-plane
-// w >= epsilon costs and prevents, by scale; and what clipping after the divide shows.
+// The sign of w: cases of the catalogue and random triangles by pattern x clippers; what each
+// w-plane w >= epsilon costs and prevents, by scale; and what clipping after the divide shows.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "experiments/catalogue/catalogue.hpp"
-#include "experiments/experiment.hpp"
+#include "experiments/machine/machine.hpp"
 #include "experiments/render/figure.hpp"
-#include "experiments/report/progress.hpp"
-#include "experiments/w_sign/tables.hpp"
+#include "experiments/report/experiment.hpp"
+#include "experiments/store/piece_record.hpp"
+#include "experiments/survey/verdicts.hpp"
+#include "experiments/w_sign/rows.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::w_sign {
 namespace {
 
 constexpr std::array kScales = {1.0,  0.3,  0.1,  0.03, 1e-2, 3e-3,
@@ -24,60 +24,58 @@ bool is_about_w(const HardCase& c) {
          (c.name.starts_with("w_sign/") || c.name.starts_with("scale/"));
 }
 
-void judge_cases(const Selection& selection, Table& table) {
-  for (const CaseContestant& contestant :
+void judge_catalogue(const Selection& selection, TableOf<CasesRow>& table) {
+  for (const Contestant* contestant :
        case_contestants(Primitive::triangle, selection.clipper, selection.scalars)) {
-    OutcomeCounts counts{};
+    CasesRow row{std::string(contestant->clipper), std::string(contestant->scalar())};
     for (const HardCase& c : builtin_catalogue()) {
       if (!is_about_w(c)) continue;
-      const Outcome outcome = contestant.answer(c, truth_polygon(c)).comparison.outcome;
-      ++counts[static_cast<std::size_t>(outcome)];
+      const Outcome outcome = judge_case(*contestant, c, truth_polygon(c)).outcome;
+      ++row.outcomes[static_cast<std::size_t>(outcome)];
+      row.failures += is_failure(outcome);
     }
-    add_w_sign_cases_row(table, contestant, counts);
+    table.add(row);
   }
 }
 
 // Clippers of clip space, in float and double as far as they are asked for.
-std::vector<AnyContestant> pattern_contestants(const Selection& selection) {
-  std::vector<AnyContestant> contestants = selected_contestants(selection);
-  std::erase_if(contestants, [](const AnyContestant& any) {
-    const std::string_view scalar = scalar_name(any);
-    return (scalar != "float" && scalar != "double") ||
-           std::visit([](const auto* c) { return c->clip == nullptr; }, any);
+void judge_pattern(const Selection& selection, const Pattern& pattern, TableOf<PatternRow>& table,
+                   PieceRecord& record) {
+  Contestants contestants = selected_contestants(selection);
+  std::erase_if(contestants, [](const Contestant* c) {
+    return !c->takes_clip_space || (c->scalar() != "float" && c->scalar() != "double");
   });
-  return contestants;
-}
-
-void judge_pattern(const Selection& selection, const WPattern& pattern, Table& table,
-                   CellRecord& record) {
-  const auto contestants = pattern_contestants(selection);
-  const std::size_t triangles = selection.sample != 0 ? selection.sample
-                                : selection.quick     ? 40
-                                                      : 400;
   constexpr std::size_t kChunks = 4;
-  Progress progress("w " + pattern_name(pattern), kChunks);
+  const std::size_t triangles = selection.sample_or(40, 400) / kChunks;
+  const std::string name = pattern_name(pattern);
+  Progress progress("w " + name, kChunks);
   const auto make_chunk = [&](std::size_t i) {
-    return pattern_chunk(pattern, triangles / kChunks, kChunks * selection.seed + i);
+    return pattern_chunk(pattern, triangles, kChunks * selection.seed + i);
   };
-  const auto tallies = sweep(kChunks, make_chunk, contestants, progress);
+  const std::vector<Tally> tallies = sweep(kChunks, make_chunk, contestants, progress);
   for (std::size_t i = 0; i < contestants.size(); ++i) {
-    add_w_sign_pattern_row(table, record, pattern_name(pattern), contestants[i], tallies[i]);
+    const Tally& tally = tallies[i];
+    table.add({name, std::string(contestants[i]->clipper), std::string(contestants[i]->scalar()),
+               tally.primitives, tally.failures, tally.outcomes});
+    if (tally.failing.empty()) continue;
+    record.worst_inputs.push_back(
+        worst_input(*contestants[i], tally.failing,
+                    fmt::format("{}, w {}", name_of(tally.failing_outcome), name), tally.max_px));
   }
 }
 
-void price_epsilon(Table& table) {
+// Clippers draw in double, so that rounding plays no part.
+void price_epsilon(TableOf<EpsilonRow>& table) {
   for (const bool depth_clamp : {false, true}) {
     for (const double scale : kScales) {
-      for (const auto& [name, surface] :
-           {std::pair{"wall", wall_past_the_eye(scale, depth_clamp)},
-            std::pair{"floor", floor_beneath_the_eye(scale, depth_clamp)}}) {
-        const TruthPolygon truth = truth_polygon(surface);
+      for (const Surface& surface : kSurfaces) {
+        const HardCase hard_case = case_of(surface, scale, depth_clamp);
+        const TruthPolygon truth = truth_polygon(hard_case);
         for (const WPlaneClipper& clipper : w_plane_clippers()) {
-          const auto contestants =
-              case_contestants(Primitive::triangle, clipper.clipper, {"double"});
-          const CaseAnswer answer = contestants.front().answer(surface, truth);
-          add_w_sign_epsilon_row(table, name, surface, scale, clipper,
-                                 loss_of(truth, answer.polygon));
+          const Answers answers = clip_case(find_contestant(clipper.name, "double"), hard_case);
+          table.add({std::string(surface.name), depth_name(depth_clamp), scale,
+                     hard_case.frustum.near, std::string(clipper.name), clipper.epsilon,
+                     loss_of(truth, positions_of(answers[0]))});
         }
       }
     }
@@ -85,83 +83,86 @@ void price_epsilon(Table& table) {
 }
 
 void count_prevented(const std::string& input, double scale, bool depth_clamp,
-                     const std::vector<ClipBatch>& batches, Table& table) {
-  const DivisionHazards without = count_hazards(batches, std::nullopt);
+                     const std::vector<SweepChunk>& chunks, TableOf<PreventedRow>& table) {
+  const Hazards without = count_hazards(chunks, w_plane_clippers().front());
   for (const WPlaneClipper& clipper : w_plane_clippers()) {
-    add_w_sign_prevented_row(
-        table, {input, scale, depth_clamp, clipper, without,
-                count_hazards(batches, clipper.epsilon), tally_loss(batches, clipper.clipper)});
+    const Hazards with = count_hazards(chunks, clipper);
+    table.add({input, scale, depth_name(depth_clamp), std::string(clipper.name), clipper.epsilon,
+               with, without.total() - with.total(), tally_loss(chunks, clipper)});
   }
 }
 
-// The patterns' triangles, all in one batch.
-std::vector<ClipBatch> pattern_batch(const Selection& selection, bool depth_clamp) {
-  ClipBatch batch{{.depth_clamp = depth_clamp}, {}};
-  for (const WPattern& pattern : all_patterns()) {
-    const SweepChunk chunk = pattern_chunk(pattern, selection.quick ? 10 : 100, selection.seed);
-    batch.triangles.insert(batch.triangles.end(), chunk.clip.begin(), chunk.clip.end());
+std::vector<SweepChunk> pattern_chunks(const Selection& selection, bool depth_clamp) {
+  std::vector<SweepChunk> chunks;
+  for (const Pattern& pattern : all_patterns()) {
+    chunks.push_back(pattern_chunk(pattern, selection.quick ? 10 : 100, selection.seed));
+    chunks.back().volume.depth_clamp = depth_clamp;
   }
-  return {batch};
+  return chunks;
 }
 
-std::vector<std::string> scenes_behind_the_eye(const Selection& selection) {
-  if (!selection.scenes.empty()) return selection.scenes;
-  return {"floor", "corridor"};
-}
-
-void draw_pictures(const ExperimentContext& context, Table& table, CellRecord& record) {
+void draw_pictures(const ExperimentContext& context, const std::vector<std::string>& scenes,
+                   TableOf<PictureRow>& table, PieceRecord& record) {
   const Selection& selection = context.selection();
-  std::vector<EyePicture> pictures;
   const PictureSize size = selection.quick ? PictureSize{480, 270} : PictureSize{720, 405};
-  pictures.push_back(draw_eye_picture(triangle_behind_the_eye(), size));
-  for (const std::string& name : scenes_behind_the_eye(selection)) {
-    pictures.push_back(draw_eye_picture(load_selected_scene(selection, name), size));
+  std::vector<Picture> pictures = {draw_picture(triangle_behind_the_eye(), size)};
+  for (const std::string& name : scenes) {
+    pictures.push_back(draw_picture(load_selected_scene(selection, name), size));
   }
-  for (const EyePicture& picture : pictures) add_w_sign_picture_row(table, picture);
-  std::vector<PanelRow> rows;
-  for (const EyePicture& picture : pictures) rows.push_back(panel_row(picture));
-  write_png(context.out() / "w_sign.png", side_by_side(rows), "clipping after the divide");
-  record.pictures.push_back({"w_sign.png",
-                             "Surfaces that reach behind the eye: clipped after the divide (left) "
-                             "and exactly (right)."});
+  for (const Picture& p : pictures) {
+    table.add({p.scene, p.exact.pixels(), p.counts[PixelFate::hole], p.counts[PixelFate::extra],
+               p.counts[PixelFate::flipped], 100 * p.counts.share_above_one});
+  }
+  write_png(context.out() / "w_sign.png", side_by_side(pictures), "clipping after the divide");
+  record.pictures.push_back(
+      {"w_sign.png",
+       "Surfaces that reach behind the eye: clipped after the divide (left) and exactly (right)."});
+}
+
+void run(const ExperimentContext& context) {
+  const Selection& selection = context.selection();
+  const auto scenes = selection.scenes_or({"floor", "corridor"});  // they reach behind the eye
+  TableOf<CasesRow> cases;
+  TableOf<PatternRow> patterns;
+  TableOf<EpsilonRow> epsilon;
+  TableOf<PreventedRow> prevented;
+  TableOf<PictureRow> pictures;
+  context.piece("cases", {&cases}, [&](PieceRecord&) { judge_catalogue(selection, cases); });
+  for (const Pattern& pattern : all_patterns()) {
+    context.piece("w " + pattern_name(pattern), {&patterns}, [&](PieceRecord& record) {
+      judge_pattern(selection, pattern, patterns, record);
+    });
+  }
+  context.piece("epsilon", {&epsilon}, [&](PieceRecord&) { price_epsilon(epsilon); });
+  for (const bool depth_clamp : {false, true}) {
+    context.piece(fmt::format("prevented patterns {}", depth_clamp), {&prevented},
+                  [&](PieceRecord&) {
+                    count_prevented("patterns", 1, depth_clamp,
+                                    pattern_chunks(selection, depth_clamp), prevented);
+                  });
+    for (const std::string& name : scenes) {
+      for (const double scale : {1.0, 1e-3, 1e-6}) {
+        context.piece(fmt::format("prevented {} {:g} {}", name, scale, depth_clamp), {&prevented},
+                      [&](PieceRecord&) {
+                        const Scene scene = load_selected_scene(selection, name);
+                        count_prevented(scene.name, scale, depth_clamp,
+                                        scaled_chunks(scene, scale, depth_clamp, 600), prevented);
+                      });
+      }
+    }
+  }
+  context.piece("pictures", {&pictures},
+                [&](PieceRecord& record) { draw_pictures(context, scenes, pictures, record); });
+  cases.add_note(machine_description());
+  context.emit(cases, patterns, epsilon, prevented, pictures);
+  context.emit_file(context.out() / "w_sign.png");
+  context.emit(loss_plot(epsilon.rows()));
+  context.finding(finding(patterns.rows(), epsilon.rows(), prevented.rows()));
 }
 
 }  // namespace
 
-void run_w_sign(const ExperimentContext& context) {
-  const Selection& selection = context.selection();
-  Table cases = w_sign_cases_table(), patterns = w_sign_patterns_table(),
-        epsilon = w_sign_epsilon_table();
-  Table prevented = w_sign_prevented_table(), pictures = w_sign_pictures_table();
-  context.cell("cases", {&cases}, [&](CellRecord&) { judge_cases(selection, cases); });
-  for (const WPattern& pattern : all_patterns()) {
-    context.cell("w " + pattern_name(pattern), {&patterns},
-                 [&](CellRecord& record) { judge_pattern(selection, pattern, patterns, record); });
-  }
-  context.cell("epsilon", {&epsilon}, [&](CellRecord&) { price_epsilon(epsilon); });
-  for (const bool depth_clamp : {false, true}) {
-    context.cell(fmt::format("prevented patterns {}", depth_clamp), {&prevented}, [&](CellRecord&) {
-      count_prevented("patterns", 1, depth_clamp, pattern_batch(selection, depth_clamp), prevented);
-    });
-    for (const std::string& name : scenes_behind_the_eye(selection)) {
-      for (const double scale : {1.0, 1e-3, 1e-6}) {
-        context.cell(fmt::format("prevented {} {:g} {}", name, scale, depth_clamp), {&prevented},
-                     [&](CellRecord&) {
-                       const Scene scene = load_selected_scene(selection, name);
-                       count_prevented(scene.name, scale, depth_clamp,
-                                       scaled_batches(scene, scale, depth_clamp, 600), prevented);
-                     });
-      }
-    }
-  }
-  context.cell("pictures", {&pictures},
-               [&](CellRecord& record) { draw_pictures(context, pictures, record); });
-  for (const Table* table : {&cases, &patterns, &epsilon, &prevented, &pictures}) {
-    context.emit(*table);
-  }
-  context.emit_file(context.out() / "w_sign.png");
-  context.emit(w_sign_loss_plot(epsilon));
-  context.finding(w_sign_finding(patterns, epsilon, prevented));
-}
+extern constinit const Experiment kExperiment{
+    "w_sign", "What happens where w <= 0, and what does a plane w >= epsilon cost?", run};
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::w_sign

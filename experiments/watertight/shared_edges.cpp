@@ -3,51 +3,43 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
+#include <map>
 #include <utility>
 
-#include "experiments/measure/batches.hpp"
-#include "experiments/measure/outcome.hpp"
+#include "experiments/judge/match.hpp"
 #include "reference/exact_clip.hpp"
 
-namespace clipscope::experiments {
+namespace clipscope::experiments::watertight {
 namespace {
 
-// For each position the index of the first one, in sorted order, that equals it.
+// For each position the index of the first one that equals it.
 std::vector<std::uint32_t> welded(const Mesh& mesh) {
-  std::vector<std::uint32_t> order(mesh.positions.size()), first(mesh.positions.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return mesh.positions[a] < mesh.positions[b];
-  });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && mesh.positions[order[i]] == mesh.positions[order[i - 1]];
-    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  std::map<std::array<float, 3>, std::uint32_t> known;
+  std::vector<std::uint32_t> first;
+  for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
+    first.push_back(known.try_emplace(mesh.positions[i], i).first->second);
   }
   return first;
 }
 
-// What is outside of a plane, and what lies on it.
-struct Sides {
-  Outcode outside = 0, on = 0;
+// The planes that each corner of a triangle is outside of, and those that it lies on.
+struct Corners {
+  std::array<Outcode, 3> outside{}, on{};
+
+  Outcode cut_by() const { return outside[0] | outside[1] | outside[2]; }
 };
 
-Sides sides_of(const reference::Truth& truth, const reference::InputVertex& vertex) {
-  Sides sides;
-  const auto& half_spaces = truth.half_spaces();
-  for (std::size_t p = 0; p < half_spaces.size(); ++p) {
-    const int sign = reference::sign(half_spaces[p].form, vertex);
-    sides.outside |= static_cast<Outcode>(sign < 0) << p;
-    sides.on |= static_cast<Outcode>(sign == 0) << p;
+Corners corners_of(const reference::Truth& truth, const SceneTriangle& triangle) {
+  Corners corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const reference::InputVertex vertex = reference::input_vertex(triangle[i]);
+    for (std::size_t p = 0; p < truth.half_spaces().size(); ++p) {
+      const int sign = reference::sign(truth.half_spaces()[p].form, vertex);
+      corners.outside[i] |= static_cast<Outcode>(sign < 0) << p;
+      corners.on[i] |= static_cast<Outcode>(sign == 0) << p;
+    }
   }
-  return sides;
-}
-
-using TriangleSides = std::array<Sides, 3>;
-
-Outcode planes_cutting(const TriangleSides& sides) {
-  return sides[0].outside | sides[1].outside | sides[2].outside;
+  return corners;
 }
 
 // The ends of the edge: the two corners that are not opposite to it.
@@ -57,40 +49,29 @@ std::pair<std::size_t, std::size_t> ends_of(int opposite) {
 }
 
 // Whether the vertices alone leave it possible that clipping touches the edge.
-bool may_be_touched(const TriangleSides& a, const TriangleSides& b, int opposite) {
+bool may_be_touched(const Corners& a, const Corners& b, int opposite) {
   const auto [i, j] = ends_of(opposite);
-  return (planes_cutting(a) | planes_cutting(b)) != 0 && (a[i].outside & a[j].outside) == 0 &&
-         (a[i].on & a[j].on) == 0;
+  return (a.cut_by() | b.cut_by()) != 0 && (a.outside[i] & a.outside[j]) == 0 &&
+         (a.on[i] & a.on[j]) == 0;
 }
 
-using Points = std::vector<std::array<double, 2>>;  // px
-
-Points points_of(const reference::ExactPolygon& polygon) {
-  Points points;
-  for (const reference::ExactVertex& v : polygon.vertices) {
-    points.push_back({reference::approximate(v.x) * kScreenWidth / 2,
-                      reference::approximate(v.y) * kScreenHeight / 2});
+// What is visible of an edge or a triangle; less than two points if nothing is.
+std::vector<ScreenPoint> visible_part(const reference::Truth& truth,
+                                      std::span<const reference::InputVertex> vertices) {
+  std::vector<ScreenPoint> points;
+  for (const reference::ExactVertex& v : reference::clip(truth, vertices, 0).vertices) {
+    points.push_back(screen_point(reference::approximate(v.x), reference::approximate(v.y)));
   }
   return points;
 }
 
-// The visible part of the edge; less than two points if there is none.
-Points visible_edge(const reference::Truth& truth, const SceneTriangle& triangle, int opposite) {
-  const auto [i, j] = ends_of(opposite);
-  const std::array ends = {reference::input_vertex(triangle[i]),
-                           reference::input_vertex(triangle[j])};
-  return points_of(reference::clip(truth, ends, 0));
-}
-
 // The largest distance of a visible point of the triangle from the line through two points.
-double width_beside(const Points& edge, const reference::Truth& truth,
+double width_beside(const std::vector<ScreenPoint>& edge, const reference::Truth& truth,
                     const SceneTriangle& triangle) {
-  reference::InputTriangle input = reference::input_triangle(triangle);
-  input.attribute_count = 0;
   const double x = edge[1][0] - edge[0][0], y = edge[1][1] - edge[0][1];
   const double length = std::hypot(x, y);
   double width = 0;
-  for (const auto& p : points_of(reference::clip(truth, input))) {
+  for (const ScreenPoint& p : visible_part(truth, reference::input_triangle(triangle).vertices)) {
     const double dx = p[0] - edge[0][0], dy = p[1] - edge[0][1];
     const double distance = length > 0 ? std::abs(dx * y - dy * x) / length : std::hypot(dx, dy);
     width = std::max(width, distance);
@@ -102,24 +83,21 @@ double width_beside(const Points& edge, const reference::Truth& truth,
 
 std::vector<SharedEdge> shared_edges(const Mesh& mesh) {
   const std::vector<std::uint32_t> vertex = welded(mesh);
-  // Its ends, the lower first, the triangle and the opposite corner.
-  std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, int>> sides;
+  // The triangles beside an edge, by its ends, the lower first; each with its opposite corner.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::pair<std::uint32_t, int>>>
+      sides;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     for (int opposite = 0; opposite < 3; ++opposite) {
       const auto [i, j] = ends_of(opposite);
       const std::uint32_t a = vertex[mesh.triangles[t][i]], b = vertex[mesh.triangles[t][j]];
-      if (a != b) sides.emplace_back(std::min(a, b), std::max(a, b), t, opposite);
+      if (a != b) sides[std::minmax(a, b)].emplace_back(t, opposite);
     }
   }
-  std::sort(sides.begin(), sides.end());
   std::vector<SharedEdge> edges;
-  for (std::size_t first = 0, i = 1; i < sides.size(); ++i) {
-    const auto& [a, b, triangle, opposite] = sides[first];
-    const auto& [other_a, other_b, other_triangle, other_opposite] = sides[i];
-    if (a != other_a || b != other_b) {
-      first = i;
-    } else if (triangle != other_triangle) {
-      edges.push_back({{triangle, other_triangle}, {opposite, other_opposite}});
+  for (const auto& [ends, all] : sides) {
+    const auto& [first, corner] = all.front();
+    for (const auto& [other, other_corner] : all) {
+      if (other != first) edges.push_back({{first, other}, {corner, other_corner}});
     }
   }
   return edges;
@@ -130,34 +108,26 @@ std::vector<CutEdge> cut_edges(const Scene& scene, const View& view,
   const auto truth = reference::Truth::of_frustum(frustum_cast<double>(view.frustum));
   std::vector<SceneTriangle> triangles(scene.mesh.triangles.size());
   view_triangles(scene, view, 0, triangles);
-  std::vector<TriangleSides> sides(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      sides[t][i] = sides_of(truth, reference::input_vertex(triangles[t][i]));
-    }
-  }
+  std::vector<Corners> corners;
+  for (const SceneTriangle& t : triangles) corners.push_back(corners_of(truth, t));
   std::vector<SharedEdge> candidates;
-  for (const SharedEdge& e : edges) {
-    if (may_be_touched(sides[e.triangles[0]], sides[e.triangles[1]], e.opposite[0])) {
-      candidates.push_back(e);
-    }
-  }
-  const std::size_t stride =
-      limit == 0 ? 1 : std::max<std::size_t>(1, (candidates.size() + limit - 1) / limit);
+  std::ranges::copy_if(edges, std::back_inserter(candidates), [&](const SharedEdge& e) {
+    return may_be_touched(corners[e.triangles[0]], corners[e.triangles[1]], e.opposite[0]);
+  });
   std::vector<CutEdge> result;
-  for (std::size_t c = 0; c < candidates.size(); c += stride) {
-    const SharedEdge& e = candidates[c];
+  for (const SharedEdge& e : evenly_spaced(candidates, limit)) {
     const SceneTriangle &first = triangles[e.triangles[0]], &second = triangles[e.triangles[1]];
-    const Points visible = visible_edge(truth, first, e.opposite[0]);
-    if (visible.size() != 2) continue;
-    const TriangleSides &a = sides[e.triangles[0]], &b = sides[e.triangles[1]];
     const auto [i, j] = ends_of(e.opposite[0]);
+    const std::array ends = {reference::input_vertex(first[i]), reference::input_vertex(first[j])};
+    const std::vector<ScreenPoint> visible = visible_part(truth, ends);
+    if (visible.size() != 2) continue;
+    const Corners &a = corners[e.triangles[0]], &b = corners[e.triangles[1]];
     result.push_back({e,
-                      a[i].outside | a[j].outside,
-                      planes_cutting(a) != planes_cutting(b),
+                      a.outside[i] | a.outside[j],
+                      a.cut_by() != b.cut_by(),
                       {width_beside(visible, truth, first), width_beside(visible, truth, second)}});
   }
   return result;
 }
 
-}  // namespace clipscope::experiments
+}  // namespace clipscope::experiments::watertight

@@ -3,22 +3,23 @@
 // The distance-matrix clipper: a triangle's part inside as a polygon of barycentric coordinates.
 //
 // D[p] holds the signed distances of the three vertices to plane p. The part inside is the set of
-// lambda >= 0 with lambda . D[p] >= 0 for each p: a polygon bounded by lines, the three edges and the
-// rows of D. A new vertex is the meeting of two lines, lambda = l1 x l2, and its side of a third line is
-// their determinant, so that nothing is decided from a rounded position, and every vertex comes from
-// the three original ones:
+// lambda >= 0 with lambda . D[p] >= 0 for each p: a polygon bounded by lines, the three edges and
+// the rows of D. A new vertex is the meeting of two lines, lambda = l1 x l2, and its side of a
+// third line is their determinant, so that nothing is decided from a rounded position, and every
+// vertex comes from the three original ones:
 //
 //   ndc = sum lambda_i pos_i / sum lambda_i w_i      attribute = sum lambda_i a_i / sum lambda_i
 //
 // A coordinate that lies on its plane is set to exactly -1, 0 or 1.
-// Source: homogeneous lines and their meetings: Blinn, "A Trip Down the Graphics Pipeline", 1996; the
-// triangle as a 2D homogeneous problem: Olano and Greer, "Triangle Scan Conversion using 2D Homogeneous
-// Coordinates", Graphics Hardware 1997.
-// Guarantees: the entries of a meeting have a small relative error (spaces/products.hpp), without which
-// the meeting of two nearly parallel lines would lie anywhere. The vertices on an edge depend on that
-// edge alone, bit for bit.
-// Does not guarantee: determinants of the right sign (they are rounded), hence the exact vertex count;
-// the bits of a vertex on two planes when the input is rotated (a sum of three is rounded in order).
+// Source: homogeneous lines and their meetings: Blinn, "A Trip Down the Graphics Pipeline", 1996;
+// the triangle as a 2D homogeneous problem: Olano and Greer, "Triangle Scan Conversion using 2D
+// Homogeneous Coordinates", Graphics Hardware 1997.
+// Guarantees: the entries of a meeting have a small relative error (spaces/products.hpp), without
+// which the meeting of two nearly parallel lines would lie anywhere. The vertices on an edge depend
+// on that edge alone, bit for bit.
+// Does not guarantee: determinants of the right sign (they are rounded), hence the exact vertex
+// count; the bits of a vertex on two planes when the input is rotated (a sum of three is rounded in
+// order).
 #pragma once
 
 #include <algorithm>
@@ -147,8 +148,8 @@ struct DistanceMatrix : StartsAtClipPositions<DistanceMatrix> {
     return r;
   }
 
-  // Multiplies by the power of two that makes the largest entry about 1: lines and points mean the same
-  // then, and their products neither overflow nor vanish.
+  // Multiplies by the power of two that makes the largest entry about 1: lines and points mean the
+  // same then, and their products neither overflow nor vanish.
   template <Scalar T>
   static constexpr void scale_to_one(std::array<T, 3>& v) {
     if constexpr (std::floating_point<T>) {

@@ -3,18 +3,18 @@
 // Edge functions of a triangle in clip space: rasterising it without cutting it at the sides of the
 // screen or at the eye.
 //
-// With the vertices (x_i, y_i, w_i) as columns of M, the point of the triangle seen at (X, Y) has the
-// weights lambda_i with sum lambda_i (x_i, y_i, w_i) = w (X, Y, 1), so that
+// With the vertices (x_i, y_i, w_i) as columns of M, the point of the triangle seen at (X, Y) has
+// the weights lambda_i with sum lambda_i (x_i, y_i, w_i) = w (X, Y, 1), so that
 //
 //   e = M^-1 (X, Y, 1)^T    has    e_i = lambda_i / w
 //
-// is linear on the screen. The point is inside the triangle and in front of the eye where all e_i >= 0 (0,
-// on an edge, is inside), whatever the signs of the w_i; 1/w = sum e_i, z/w = sum e_i z_i and
-// a/w = sum e_i a_i are linear as well.
+// is linear on the screen. The point is inside the triangle and in front of the eye where all e_i
+// >= 0 (0, on an edge, is inside), whatever the signs of the w_i; 1/w = sum e_i, z/w = sum e_i z_i
+// and a/w = sum e_i a_i are linear as well.
 // Source: Olano and Greer, "Triangle Scan Conversion using 2D Homogeneous Coordinates", Graphics
 // Hardware 1997, equations 4 to 8.
-// Does not guarantee: coverage to the last bit next to an edge (the adjugate is rounded), nor that the
-// weights of a pixel on two edges agree; near and far are the caller's to test, per pixel.
+// Does not guarantee: coverage to the last bit next to an edge (the adjugate is rounded), nor that
+// the weights of a pixel on two edges agree; near and far are the caller's to test, per pixel.
 #pragma once
 
 #include <array>

@@ -3,13 +3,14 @@
 // The part of a triangle inside a volume as a polygon of meetings of lines, every decision exact.
 //
 // The polygon lies in the barycentric plane: lambda >= 0 with lambda . row >= 0 for each plane that
-// cuts; a row holds the distances of the three vertices to its plane. Which space the rows come from
-// and what is made of the corners is up to the callers.
+// cuts; a row holds the distances of the three vertices to its plane. Which space the rows come
+// from and what is made of the corners is up to the callers.
 //
-// Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974, on lines instead of
-// points; of the parts, see distance_matrix.hpp and exact_lines.hpp.
-// Guarantees: exactly the corners of the closed part, each of them once in lambda, in the order of the
-// triangle. A corner may have w <= 0, or the place of another one where the triangle has no area.
+// Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974, on lines instead
+// of points; of the parts, see distance_matrix.hpp and exact_lines.hpp.
+// Guarantees: exactly the corners of the closed part, each of them once in lambda, in the order of
+// the triangle. A corner may have w <= 0, or the place of another one where the triangle has no
+// area.
 #pragma once
 
 #include <array>
@@ -53,9 +54,9 @@ inline void set_whole(Corners& corners) {
   }
 }
 
-// The corners on the line's inner side and the meetings of the polygon's lines with it. The polygon is
-// strictly convex in the barycentric plane and is walked in the order of the triangle, so that at each
-// corner the lines turn one way and lambda, as `meet` has it, is positive.
+// The corners on the line's inner side and the meetings of the polygon's lines with it. The polygon
+// is strictly convex in the barycentric plane and is walked in the order of the triangle, so that
+// at each corner the lines turn one way and lambda, as `meet` has it, is positive.
 template <class Count>
 void cut_corners(const Corners& in, const Line& line, Corners& out, Count& count) {
   std::array<int, kMaxPolygonVertices> sides;
@@ -144,8 +145,8 @@ std::array<Values, 4> clip_coordinates(const ClipTriangle<float, K>& triangle) {
   return r;
 }
 
-// The part of a clip-space triangle inside the volume; whether it has three corners or more. Nothing is
-// left of a triangle with a position, or a clip distance that cuts, that isn't finite.
+// The part of a clip-space triangle inside the volume; whether it has three corners or more.
+// Nothing is left of a triangle with a position, or a clip distance that cuts, that isn't finite.
 template <int K, class Count>
 bool cut_clip_triangle(const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
                        const std::array<Values, 4>& coordinates, CutTriangle& cut, Count& count) {
@@ -174,7 +175,8 @@ inline int own_vertex(const Meeting& m) {
 
 inline constexpr Outcode kSixPlanes = (Outcode{1} << kPlanes) - 1;
 
-// Sets the coordinates that the meeting's planes fix, c = bound w with +0 for 0; returns a bit for each.
+// Sets the coordinates that the meeting's planes fix, c = bound w with +0 for 0; returns a bit for
+// each.
 inline Outcode set_fixed(DepthRange depth, const Meeting& m, float w, Vec4<float>& position) {
   Outcode fixed = 0;
   for_each_plane(planes_of(m) & kSixPlanes, kAllPlanes, [&](Plane plane) {
@@ -187,8 +189,8 @@ inline Outcode set_fixed(DepthRange depth, const Meeting& m, float w, Vec4<float
 
 inline constexpr Values kOnes = {1, 1, 1};
 
-// The attributes at a meeting, rounded; a clip distance that cut there is +0. Those that are not finite
-// are interpolated in double without a promise. sum: divisor(m, kOnes).
+// The attributes at a meeting, rounded; a clip distance that cut there is +0. Attributes that are
+// not finite are interpolated in double without a promise. sum: divisor(m, kOnes).
 template <Space S, int K, class Count>
 void set_attributes(const Meeting& m, const Divisor& sum, const Triangle<S, float, K>& triangle,
                     Attributes<float, K>& out, Count& count) {

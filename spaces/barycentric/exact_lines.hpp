@@ -1,39 +1,44 @@
 // SPDX-License-Identifier: MIT
 //
-// Lines in the barycentric plane of a triangle of floats, their meetings, and what is asked of them:
-// the sign of a determinant, and a quotient rounded to the nearest float.
+// Lines in the barycentric plane of a triangle of floats, their meetings, and what is asked of
+// them: the sign of a determinant, and a quotient rounded to the nearest float.
 //
 // Each answer comes from doubles if a proved bound of their error settles it, and from expansions
-// else. A double-double stage between the two would have nothing to gain: of triangles that straddle a
-// frustum the filter leaves over less than one quotient in 10^5 (CorrectlyRounded::count_stages), most
-// of them exact ties, and on lattices ties and zeros, which no precision short of exact settles.
+// else. A double-double stage between the two would have nothing to gain: of triangles that
+// straddle a frustum the filter leaves over less than one quotient in 10^5
+// (CorrectlyRounded::count_stages), most of them exact ties, and on lattices ties and zeros, which
+// no precision short of exact settles.
 //
-// Source: Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
-// 1997; filters for homogeneous points: Melquiond and Pion, "Formally certified floating-point filters
-// for homogeneous geometric predicates", 2007; predicates on points that are kept as the lines that
-// define them: Attene, "Indirect predicates for geometric constructions", 2020.
+// Source: Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+// Predicates", 1997; filters for homogeneous points: Melquiond and Pion, "Formally certified
+// floating-point filters for homogeneous geometric predicates", 2007; predicates on points that are
+// kept as the lines that define them: Attene, "Indirect predicates for geometric constructions",
+// 2020.
 //
 // Range. A float is a multiple of 2^-149 below 2^128, hence a sum of products of k of them is a
-// multiple of 2^(-149 k), and so is every rounded partial result and every rounding error on the way
-// (rounding keeps multiples of a smaller power of two). Degrees, and bounds of magnitudes:
+// multiple of 2^(-149 k), and so is every rounded partial result and every rounding error on the
+// way (rounding keeps multiples of a smaller power of two). Degrees, and bounds of magnitudes:
 //
 //   a line's entry                            2   2^257   n x + l z; in clip space 1 and 2^129
 //   lambda                                    4   2^515   a difference of two products of entries
 //   lambda . floats                           5   2^645
-//   lambda . line, and numerators             6   2^775   in view space up to two such, times floats
-//   a denominator times a midpoint of floats      2^903   a multiple of 2^-1044 (midpoints: of 2^-150)
+//   lambda . line, and numerators             6   2^775   in view space up to two such, times
+//                                             floats
+//   a denominator times a midpoint of floats      2^903   a multiple of 2^-1044 (midpoints: of
+//                                                 2^-150)
 //
 // All are multiples of 2^-1074 below 2^1024: nothing under- or overflows, and nothing needs to be
 // scaled.
 //
-// Lemma (filter). Let v be a sum of products, and let every product pass through at most k roundings of
-// its factors, itself and sums in double, u = 2^-53. Let M be computed by the same operations on
-// magnitudes, differences turned into sums. Then |computed v - v| <= (k + 1) u M for k <= 1000:
-// each product is off by a factor between (1 - u)^k and (1 + u)^k, so the error is at most
-// ((1 + u)^k - 1) times the exact sum of magnitudes, which is at most M (1 - u)^-k.
-// Counts: a line's entry 2 (in clip space, and unless sheared, 1); lambda: two entries, the product, the
-// difference 6; its dot product with an exact vector 6 + 1 + 2 = 9, with a line 11, with numerators
-// at the vertices, which have 3 themselves, 12. One more u covers the rounding of the bound: 14 u M.
+// Lemma (filter). Let v be a sum of products, and let every product pass through at most k
+// roundings of its factors, itself and sums in double, u = 2^-53. Let M be computed by the same
+// operations on magnitudes, differences turned into sums. Then |computed v - v| <= (k + 1) u M for
+// k <= 1000: each product is off by a factor between (1 - u)^k and (1 + u)^k, so the error is at
+// most ((1 + u)^k - 1) times the exact sum of magnitudes, which is at most M (1 - u)^-k.
+// Counts: a line's entry 2 (in clip space, and unless sheared, 1); lambda: two entries, the
+// product, the difference 6; its dot product with an exact vector 6 + 1 + 2 = 9, with a line 11,
+// with numerators at the vertices, which have 3 themselves, 12. One more u covers the rounding of
+// the bound: 14 u M.
 #pragma once
 
 #include <array>
@@ -73,17 +78,17 @@ struct CountStages {
 // Numbers at the three vertices, exact.
 using Values = std::array<double, 3>;
 
-// line . lambda >= 0 is inside; 0, on the line, is inside. The entries are rounded + error + rest exactly,
-// components of an expansion, `rounded` being within 2 u of them, relatively. `plane` is no bit for an
-// edge of the triangle.
+// line . lambda >= 0 is inside; 0, on the line, is inside. The entries are rounded + error + rest
+// exactly, components of an expansion, `rounded` being within 2 u of them, relatively. `plane` is
+// no bit for an edge of the triangle.
 struct Line {
   Values rounded{}, error{};
   Outcode plane = 0;
   Values rest{};
 };
 
-// lambda = a x b, times no more than a positive factor the point where the polygon's boundary goes over
-// from line a to line b; its entries are >= 0 and their sum is > 0 if that is so.
+// lambda = a x b, times no more than a positive factor the point where the polygon's boundary goes
+// over from line a to line b; its entries are >= 0 and their sum is > 0 if that is so.
 struct Meeting {
   const Line *a, *b;
   Values lambda;     // rounded
@@ -108,7 +113,8 @@ struct Bounded {
 
 inline constexpr double kFilterError = 14 * 0x1p-53;
 
-// lambda . v, where v passed through at most three roundings and |v| is `magnitude` in the lemma's sense.
+// lambda . v, where v passed through at most three roundings and |v| is `magnitude` in the lemma's
+// sense.
 inline Bounded dot(const Meeting& m, const Values& v, const Values& magnitude) {
   const double value = m.lambda[0] * v[0] + m.lambda[1] * v[1] + m.lambda[2] * v[2];
   const double bound =
@@ -165,7 +171,8 @@ int side(const Meeting& m, const Line& line, Count& count) {
   return exact_dot(exact_lambda(m), line).sign();
 }
 
-// Of two neighbouring floats, low < high, the one nearest to a value between them, ties to even.
+// Gives the one of two neighbouring floats, low < high, that is nearest to a value between them,
+// ties to even.
 // compared: the sign of that value less their midpoint.
 template <class Count>
 float nearer(float low, float high, int compared, Count& count) {
@@ -174,14 +181,15 @@ float nearer(float low, float high, int compared, Count& count) {
   return compared > 0 || (compared == 0 && low_is_odd) ? high : low;
 }
 
-// numerator / denominator rounded to the nearest float, ties to even. Pre-condition: denominator > 0.
+// numerator / denominator rounded to the nearest float, ties to even. Pre-condition: denominator >
+// 0.
 //
-// The largest component of each is within 2^-52 of it, relatively, so their rounded quotient is within
-// 2^-50 of the exact one, with room for the rounding of the two products. Between `low` and `high` lies
-// at most one midpoint of floats, since these are at least 2^-25 apart, relatively. Half a unit above
-// the largest float, where rounding goes over to infinity, is a midpoint as well, as if the next
-// float were 2^128. Where the quotient leaves the range of double, or of its normal numbers, it is far
-// beyond that of float, and both ends are infinite or 0.
+// The largest component of each is within 2^-52 of it, relatively, so their rounded quotient is
+// within 2^-50 of the exact one, with room for the rounding of the two products. Between `low` and
+// `high` lies at most one midpoint of floats, since these are at least 2^-25 apart, relatively.
+// Half a unit above the largest float, where rounding goes over to infinity, is a midpoint as well,
+// as if the next float were 2^128. Where the quotient leaves the range of double, or of its normal
+// numbers, it is far beyond that of float, and both ends are infinite or 0.
 template <class Count>
 float round_quotient(const ExactDot& numerator, const ExactDot& denominator, Count& count) {
   const int sign = numerator.sign();
@@ -216,15 +224,15 @@ inline Divisor divisor(const Meeting& m, const Values& denominator) {
   return {denominator, d, reciprocal, d.error * reciprocal + kQuotientRoundings};
 }
 
-// numerator / (divisor times scale), rounded; exact(low, high) does that where the ends of its interval, from
-// doubles, round to different floats. 0 is +0; what rounds to 0 from below is -0. inverse_scale is
-// 1 / scale in double, of a scale rounded once, or 1.
+// numerator / (divisor times scale), rounded; exact(low, high) does that where the ends of its
+// interval, from doubles, round to different floats. 0 is +0; what rounds to 0 from below is -0.
+// inverse_scale is 1 / scale in double, of a scale rounded once, or 1.
 //
 // With n, d and their bounds En, Ed the quotient is within (En + |n/d| Ed) / (d - Ed) of n/d; it is
 // Ed < 2^-20 d. kQuotientRoundings |q| = 8 u |q| covers the roundings of the scale, the two
-// reciprocals, their product, q and the interval's ends, 6 u, and 1 + 2^-18 the Ed in the divisor and the
-// roundings of this bound. Some of its terms may underflow, by less than 2^-1072 together: for
-// |q| >= 2^-900 that is within the same 2^-18 of the bound.
+// reciprocals, their product, q and the interval's ends, 6 u, and 1 + 2^-18 the Ed in the divisor
+// and the roundings of this bound. Some of its terms may underflow, by less than 2^-1072 together:
+// for |q| >= 2^-900 that is within the same 2^-18 of the bound.
 // Rounding is monotone: where both ends round to the same float, so does all between.
 template <class Exact, class Count>
 float rounded_quotient(const Bounded& n, const Divisor& by, double inverse_scale, Exact&& exact,
@@ -261,11 +269,12 @@ inline bool are_neighbours(float low, float high) {
   return std::isfinite(low) && std::isfinite(high) && (low < 0 ? a - b : b - a) == 1;
 }
 
-// The sign of lambda . numerator / lambda . denominator - midpoint, of floats and a midpoint of floats; nothing
-// where it takes more than doubles. Pre-condition: lambda is exact, and one entry is 0.
+// The sign of lambda . numerator / lambda . denominator - midpoint, of floats and a midpoint of
+// floats; nothing where it takes more than doubles. Pre-condition: lambda is exact, and one entry
+// is 0.
 //
-// A midpoint has 25 bits, times a float 49: exact. The terms of lambda . (numerator - midpoint denominator)
-// are exact as head + tail, and heads that don't cancel decide: rounding is monotone.
+// A midpoint has 25 bits, times a float 49: exact. The terms of lambda . (numerator - midpoint
+// denominator) are exact as head + tail, and heads that don't cancel decide: rounding is monotone.
 inline std::optional<int> compare(const Meeting& m, const Values& numerator,
                                   const Values& denominator, double midpoint) {
   double head = 0, tail = 0, lost = 0;
@@ -281,7 +290,8 @@ inline std::optional<int> compare(const Meeting& m, const Values& numerator,
   return (sum > 0) - (sum < 0);
 }
 
-// lambda . numerator / lambda . denominator, rounded. Most ties lie on an edge, where doubles will do.
+// lambda . numerator / lambda . denominator, rounded. Most ties lie on an edge, where doubles will
+// do.
 template <class Count>
 float rounded_quotient(const Meeting& m, const Values& numerator, const Divisor& by, Count& count) {
   const auto exact = [&](float low, float high) {

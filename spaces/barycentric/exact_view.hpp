@@ -13,11 +13,11 @@
 //     reversed             near F           near              F
 //     scale                far - near       1                 far - near
 //
-// so that inside, where L, R, N, F >= 0, cancellation costs no precision. All rows are exact: of two
-// products of floats in double, of a sum of two floats, or, if sheared, of three terms.
+// so that inside, where L, R, N, F >= 0, cancellation costs no precision. All rows are exact: of
+// two products of floats in double, of a sum of two floats, or, if sheared, of three terms.
 //
-// Source: this project; the forms are those of spaces/planes.hpp, their quotients those of the matrices
-// in spaces/projection.hpp.
+// Source: this project; the forms are those of spaces/planes.hpp, their quotients those of the
+// matrices in spaces/projection.hpp.
 #pragma once
 
 #include <array>
@@ -54,8 +54,8 @@ inline void set_parallel_entry(Line& line, int i, double x, double shear_z, doub
   set_entry(line, i, compressed<3>(Expansion<2>(sum, error) + product));
 }
 
-// The row of one of the six planes. Every product is of two floats. Pre-condition: the frustum has the
-// plane, hence a finite far one if that is asked for.
+// The row of one of the six planes. Every product is of two floats. Pre-condition: the frustum has
+// the plane, hence a finite far one if that is asked for.
 template <int K>
 Line view_row(const Frustum<float>& f, Plane plane, const ViewTriangle<float, K>& triangle) {
   Line r{{}, {}, bit(plane), {}};
@@ -86,7 +86,8 @@ struct RowCombination {
   double alpha, beta, gamma;
   Values value{}, magnitude{};
 
-  // At most three roundings: two of a sheared row and the sum, or one of a row, a product and a sum.
+  // At most three roundings: two of a sheared row and the sum, or one of a row, a product and a
+  // sum.
   RowCombination(const Line& a_row, double a_factor, const Line& b_row, double b_factor,
                  double constant)
       : a(&a_row), b(&b_row), alpha(a_factor), beta(b_factor), gamma(constant) {
@@ -156,8 +157,9 @@ inline Outcode view_outcode(const ViewRows& rows, std::size_t i) {
   return code;
 }
 
-// The part of a view-space triangle inside the volume; whether it has three corners or more. Nothing is
-// left of a triangle with a clip distance that cuts and isn't finite. Pre-condition: finite positions.
+// The part of a view-space triangle inside the volume; whether it has three corners or more.
+// Nothing is left of a triangle with a clip distance that cuts and isn't finite. Pre-condition:
+// finite positions.
 template <int K, class Count>
 bool cut_view_triangle(const ClipVolume& volume, const ViewTriangle<float, K>& triangle,
                        const ViewRows& rows, CutTriangle& cut, Count& count) {

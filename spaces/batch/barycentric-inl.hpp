@@ -3,19 +3,19 @@
 // One straddling triangle whose new vertices come from its three own ones, in double: value =
 // sum lambda_i v_i / sum lambda_i, in SIMD over the coordinates and attributes of a vertex.
 //
-// kCertain, of floats only: the value of each float is known to within a proved bound, and the floats
-// nearest to both ends of that interval are the same; else the plain version writes the vertex again,
-// with expansions. If already a decision is in doubt the triangle is handed back.
+// kCertain, of floats only: the value of each float is known to within a proved bound, and the
+// floats nearest to both ends of that interval are the same; else the plain version writes the
+// vertex again, with expansions. If already a decision is in doubt the triangle is handed back.
 //
-// Lemma (one plane). lambda of an edge is (-d_out, d_in), both positive: doubles within u = 2^-53 of the exact
-// distances, relatively. The products of lambda and floats a and b carry one rounding more, their sum
-// another, the sum of lambda two in all, its reciprocal and the quotient one each: the numerator is within
-// 3 u, to first order, of lambda . (|a|, |b|), and the whole within 7 u of max(|a|, |b|), a convex combination
-// being no larger. 16 u covers that, the terms of higher order and the rounding of the interval's ends.
-// Nothing under- or overflows: exact_lines.hpp.
+// Lemma (one plane). lambda of an edge is (-d_out, d_in), both positive: doubles within u = 2^-53
+// of the exact distances, relatively. The products of lambda and floats a and b carry one rounding
+// more, their sum another, the sum of lambda two in all, its reciprocal and the quotient one each:
+// the numerator is within 3 u, to first order, of lambda . (|a|, |b|), and the whole within 7 u of
+// max(|a|, |b|), a convex combination being no larger. 16 u covers that, the terms of higher order
+// and the rounding of the interval's ends. Nothing under- or overflows: exact_lines.hpp.
 //
-// Several planes: corners-inl.hpp. The methods give the bits of their plain twins: the same operations in the
-// same order.
+// Several planes: corners-inl.hpp. The methods give the bits of their plain twins: the same
+// operations in the same order.
 #if defined(CLIPSCOPE_BATCH_BARYCENTRIC_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_BARYCENTRIC_INL
 #undef CLIPSCOPE_BATCH_BARYCENTRIC_INL
@@ -31,16 +31,16 @@ namespace clipscope::batch::HWY_NAMESPACE {
 
 inline constexpr double kEdgeError = 16 * 0x1p-53;  // of the lemma
 
-// A triangle that one plane cuts has one vertex, the apex, alone on its side: both edges that are cut meet
-// there. Polygon: apex, cut of apex-b, cut of apex-c if the apex is inside, else b, c, cut of apex-c, cut
-// of apex-b. Looked up, since a branch would be mispredicted half of the time.
+// A triangle that one plane cuts has one vertex, the apex, alone on its side: both edges that are
+// cut meet there. Polygon: apex, cut of apex-b, cut of apex-c if the apex is inside, else b, c, cut
+// of apex-c, cut of apex-b. Looked up, since a branch would be mispredicted half of the time.
 struct Apex {
   std::uint8_t apex, b, c;
   std::uint8_t first;       // vertex of the polygon
   std::uint8_t place_of_b;  // in the polygon: the cut of apex-b; that of apex-c is the third vertex
   std::uint8_t size;        // of the polygon
 };
-// By the mask of outside vertices, 1 to 6.
+// Indexed by the mask of outside vertices, 1 to 6.
 inline constexpr Apex kApex[7] = {{},
                                   {0, 1, 2, 1, 3, 4},
                                   {1, 2, 0, 2, 3, 4},
@@ -89,7 +89,7 @@ struct FromOriginals {
  private:
   using Corner = typename Corners<kCertain>::Corner;
 
-  // Of a line as Corners has it.
+  // The plane of a line, numbered as Corners does.
   const CodePlane& plane_of(int line) const { return planes[line - 3]; }
   int line_of(const CodePlane& plane) const {
     int line = 3;
@@ -126,16 +126,17 @@ struct FromOriginals {
     return hn::Xor(hn::BitCast(DU(), a), hn::BitCast(DU(), b));
   }
 
-  // Ones in the lanes of a vertex's first vector that have to be certain: all, or all but z, which is set where
-  // it lies on its plane z = 0.
+  // Ones in the lanes of a vertex's first vector that have to be certain: all, or all but z, which
+  // is set where it lies on its plane z = 0.
   static HWY_INLINE Bits first_lanes(bool sets_z) {
     HWY_ALIGN static constexpr std::uint32_t kBits[2][8] = {
         {~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u}, {~0u, ~0u, 0, ~0u, ~0u, ~0u, ~0u, ~0u}};
     return hn::Load(DU(), kBits[sets_z]);
   }
 
-  // Stores sum / total, rounded, and returns the bits that this leaves open: it is within `error` times the
-  // largest of the values that it is a mean of. Fused multiplications, where there are some, round less.
+  // Stores sum / total, rounded, and returns the bits that this leaves open: it is within `error`
+  // times the largest of the values that it is a mean of. Fused multiplications, where there are
+  // some, round less.
   template <class V>
   static HWY_INLINE Bits store_mean(hn::Vec<D> sum, hn::Vec<D> reciprocal,
                                     [[maybe_unused]] hn::Vec<D> largest,
@@ -170,7 +171,8 @@ struct FromOriginals {
     }
   };
 
-  // l_a a + l_b b. A sum that is 0 is +0; where floats have to be certain a -0 is found out as such.
+  // l_a a + l_b b. A sum that is 0 is +0; where floats have to be certain a -0 is found out as
+  // such.
   static HWY_INLINE hn::Vec<D> sum_of(hn::Vec<D> l_a, hn::Vec<D> a, hn::Vec<D> l_b, hn::Vec<D> b) {
     if constexpr (kCertain) {
       return hn::MulAdd(l_a, a, hn::Mul(l_b, b));
@@ -228,8 +230,8 @@ struct FromOriginals {
     }
   }
 
-  // The vertex where the polygon goes over from one line to the other: what is in doubt, by expansions where
-  // need be.
+  // The vertex where the polygon goes over from one line to the other: what is in doubt, by
+  // expansions where need be.
   HWY_NOINLINE void write_again(const float* const vertex[3], int from, int to, const Doubt& doubt,
                                 float* out) const {
     ++tally.exact_vertices;
@@ -262,8 +264,8 @@ struct FromOriginals {
     }
   }
 
-  // Whether all corners are in front of the eye; the triangle's own ones are, inside planes that are not met.
-  // These come first, without a branch: slots of others are filled later.
+  // Whether all corners are in front of the eye; the triangle's own ones are, inside planes that
+  // are not met. These come first, without a branch: slots of others are filled later.
   template <class V>
   HWY_INLINE bool write_corners(const Corners<kCertain>& corners, const Straddler<V>& s,
                                 V* out) const {
@@ -293,7 +295,7 @@ struct FromOriginals {
     return in_front;
   }
 
-  // Of a corner on one plane or two.
+  // Writes a corner that lies on one plane or two.
   template <class V>
   HWY_INLINE void write_corner(const Corner& c, const Straddler<V>& s, Doubt& doubt, V* out) const {
     const int low = std::min(c.from, c.to), high = std::max(c.from, c.to);
@@ -310,8 +312,8 @@ struct FromOriginals {
   }
 
   // The mean of the three vertices at a meeting of two planes. The bound is that of
-  // `rounded_quotient` (exact_lines.hpp): lambda . |v| and |q| times the sum of lambda are no more than
-  // the largest |v| times that of the magnitudes.
+  // `rounded_quotient` (exact_lines.hpp): lambda . |v| and |q| times the sum of lambda are no more
+  // than the largest |v| times that of the magnitudes.
   template <class V>
   HWY_INLINE void write_mean(const Corner& c, const Straddler<V>& s, bool sets_z, Doubt& doubt,
                              V* out) const {

@@ -2,30 +2,31 @@
 //
 // Batch clippers: many triangles in one call, as a renderer has them, in SIMD.
 //
-// Two timing contracts. The *stage* is the clipper in a renderer's pipeline: clip-space triangles in,
-// clip-space polygons out, no divide. It comes in three output contracts:
+// Two timing contracts. The *stage* is the clipper in a renderer's pipeline: clip-space triangles
+// in, clip-space polygons out, no divide. It comes in three output contracts:
 //
 //   copy       an array of vertices in, three per triangle; every surviving triangle is written out
-//   reference  positions as structure of arrays in; triangles that are inside come out as their numbers,
-//              only cut ones are written
+//   reference  positions as structure of arrays in; triangles that are inside come out as their
+//              numbers, only cut ones are written
 //   indexed    an indexed mesh in, each vertex classified once; out as in `reference`
 //
 // *Full* is the contract of spaces/clipper.hpp: view space in, NDC out, every survivor written.
 //
 // What all share:
-//   - Triangles and polygons come out in the order of the input, polygons in the winding of the input.
-//     A polygon begins at any of its vertices.
+//   - Triangles and polygons come out in the order of the input, polygons in the winding of the
+//     input. A polygon begins at any of its vertices.
 //   - Volumes with clip distances or depth clamp are clipped by the plain version.
 //   - NaN and infinity: the policy of spaces/clipper.hpp. In the stage a result overflows where a
-//     coordinate of a new vertex does. Vertices with w <= 0 (in the volume only (0, 0, 0, 0)) are left out.
-//   - Functions are thread-safe: no state but the Output, which belongs to one thread at a time. They do
-//     not throw, but for std::bad_alloc when an Output grows: by blocks of triangles, and no more once
-//     it has met a call as large.
-//   - The bits of the answer do not depend on the instruction set: the plain version and every target of
-//     the run-time dispatch give the same.
+//     coordinate of a new vertex does. Vertices with w <= 0 (in the volume only (0, 0, 0, 0)) are
+//     left out.
+//   - Functions are thread-safe: no state but the Output, which belongs to one thread at a time.
+//     They do not throw, but for std::bad_alloc when an Output grows: by blocks of triangles, and
+//     no more once it has met a call as large.
+//   - The bits of the answer do not depend on the instruction set: the plain version and every
+//     target of the run-time dispatch give the same.
 //
-// Source: outcodes: Sproull and Sutherland, "A Clipping Divider", 1968; Blinn and Newell, "Clipping Using
-// Homogeneous Coordinates", SIGGRAPH 1978. Portable SIMD with run-time dispatch: Highway.
+// Source: outcodes: Sproull and Sutherland, "A Clipping Divider", 1968; Blinn and Newell, "Clipping
+// Using Homogeneous Coordinates", SIGGRAPH 1978. Portable SIMD with run-time dispatch: Highway.
 #pragma once
 
 #include <array>
@@ -69,8 +70,8 @@ inline constexpr Method kMethod{index_of<M>(AllMethods{})};
 
 std::string_view name(Method method);  // "homogeneous/batch" and so on
 
-// Which code runs: a loop over triangles that the compiler makes of portable C++, or SIMD by Highway for the
-// best instruction set of this processor.
+// Which code runs: a loop over triangles that the compiler makes of portable C++, or SIMD by
+// Highway for the best instruction set of this processor.
 enum class Build : std::uint8_t { plain, simd };
 
 // Vertices one after the other, each x y z w and then its attributes: 4 + attributes floats.
@@ -98,8 +99,8 @@ struct IndexedMesh {
   std::span<const std::uint32_t> indices;
 };
 
-// View-space vertices one after the other: x y z and then the attributes, 3 + attributes floats; three
-// per triangle.
+// View-space vertices one after the other: x y z and then the attributes, 3 + attributes floats;
+// three per triangle.
 struct ViewVertexArray {
   const float* data = nullptr;
   std::size_t count = 0;  // vertices
@@ -122,8 +123,8 @@ struct Tally {
   std::uint64_t plain = 0;           // handed to the plain version
 };
 
-// What a call leaves behind; reused from call to call it allocates no more. A vertex is 4 + attributes
-// floats: x y z w, in the full contract x y z 1/w.
+// What a call leaves behind; reused from call to call it allocates no more. A vertex is 4 +
+// attributes floats: x y z w, in the full contract x y z 1/w.
 class Output {
  public:
   std::span<const std::uint32_t> inside() const { return {inside_.data(), inside_count_}; }
@@ -162,8 +163,8 @@ void clip(Method method, const ClipVolume& volume, const IndexedMesh& mesh, Outp
 void clip(Method method, const Projection<float>& projection, const ViewVertexArray& triangles,
           Output& out, Build build = Build::simd);
 
-// The instruction set that Build::simd runs on: "AVX2" and so on; "plain" where none here has vectors of
-// doubles and the plain version answers.
+// The instruction set that Build::simd runs on: "AVX2" and so on; "plain" where none here has
+// vectors of doubles and the plain version answers.
 std::string target_name();
 
 }  // namespace clipscope::batch

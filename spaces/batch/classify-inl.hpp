@@ -2,7 +2,8 @@
 //
 // Outcodes in SIMD: comparisons only, hence exact.
 //
-// Included once per instruction set (Highway's foreach_target), so it has no include guard of the usual kind.
+// Included once per instruction set (Highway's foreach_target), so it has no include guard of the
+// usual kind.
 #if defined(CLIPSCOPE_BATCH_CLASSIFY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_CLASSIFY_INL
 #undef CLIPSCOPE_BATCH_CLASSIFY_INL
@@ -33,9 +34,9 @@ static_assert(hn::MaxLanes(D4()) == 4);
 inline constexpr float kLargest = std::numeric_limits<float>::max();
 inline constexpr float kLeast = std::numeric_limits<float>::denorm_min();
 
-// Clip space: (x, y, z, w) and its negative are compared with w where `keep` has ones, else with `fill`.
-// Lane 3: w <= FLT_MAX, it is finite. Lane 7: -w <= -FLT_TRUE_MIN, it is positive. Lane 6, for depth from
-// 0 on: -z <= 0.
+// Clip space: (x, y, z, w) and its negative are compared with w where `keep` has ones, else with
+// `fill`. Lane 3: w <= FLT_MAX, it is finite. Lane 7: -w <= -FLT_TRUE_MIN, it is positive. Lane 6,
+// for depth from 0 on: -z <= 0.
 struct alignas(32) ClipLimits {
   std::uint32_t keep[8] = {~0u, ~0u, ~0u, 0, ~0u, ~0u, ~0u, 0};
   float fill[8] = {0, 0, 0, kLargest, 0, 0, 0, -kLeast};
@@ -57,8 +58,8 @@ struct alignas(32) ClipLimits {
   }
 };
 
-// View space, of vertices (x, y, z, 1): the signed distances of all planes, own c + z_weight z + constant for
-// coordinate c of each lane, as `view_distance` has them. Lanes 3 and 7 pass always.
+// View space, of vertices (x, y, z, 1): the signed distances of all planes, own c + z_weight z +
+// constant for coordinate c of each lane, as `view_distance` has them. Lanes 3 and 7 pass always.
 struct alignas(32) ViewLimits {
   float own[8] = {}, z_weight[8] = {}, constant[8] = {};
 
@@ -84,7 +85,8 @@ HWY_INLINE void prefetch_floats(const float* p, std::size_t count) {
   for (std::size_t i = 0; i < count; i += 16) hwy::Prefetch(p + i);
   if (count != 0) hwy::Prefetch(p + count - 1);
 }
-// The lines of so many bytes, further on by more than the processor looks ahead; they need not exist.
+// The lines of so many bytes, further on by more than the processor looks ahead; they need not
+// exist.
 HWY_INLINE void prefetch_ahead(const void* p, std::size_t bytes) {
   constexpr std::size_t kAhead = 2048, kLine = 64;
   const auto from = reinterpret_cast<std::uintptr_t>(p) + kAhead;
@@ -126,7 +128,7 @@ struct Positions {
   hn::Vec<D> x, y, z, w;
 };
 
-// Those of as many vertices as d has lanes, 4 or 8, which lie so many floats apart.
+// Loads the positions of as many vertices as d has lanes, 4 or 8, which lie `stride` floats apart.
 template <class D>
 HWY_INLINE Positions<D> load_positions(D d, const float* v, std::size_t stride) {
   const auto load = [&](std::size_t i) {
@@ -159,8 +161,8 @@ HWY_INLINE void planes_inside(D d, const ClipLimits& limits, const Positions<D>&
   inside[5] = hn::Le(lowest_z, p.z);
 }
 
-// A code with its complement above it. Those of three vertices, or'ed, have the bits that some vertex has
-// and, above, those that some vertex has not.
+// A code with its complement above it. The codes of three vertices, or'ed, have the bits that some
+// vertex has and, above, those that some vertex has not.
 HWY_INLINE std::uint16_t with_complement(unsigned code) {
   return static_cast<std::uint16_t>(code | (~code & 0xFF) << 8);
 }
@@ -168,7 +170,8 @@ HWY_INLINE std::uint16_t with_complement(unsigned code) {
 inline constexpr std::uint16_t kInsideCodes = 0xFF00;
 inline constexpr std::uint16_t kSurvivingCodes = kPlaneBits << 8;
 
-// Of three vertices: `all` has the bits that all of them have, `any` those that some have.
+// The codes of three vertices at once: `all` has the bits that all of them have, `any` those that
+// some have.
 struct Codes {
   unsigned all, any;
 };
@@ -200,7 +203,8 @@ HWY_INLINE Codes triangle_codes(const ClipLimits& limits, const double* v, std::
   return {a & b & c, a | b | c};
 }
 
-// Which triangles of a block are not rejected, in order, and the bits that some of their vertices have.
+// Which triangles of a block are not rejected, in order, and the bits that some of their vertices
+// have.
 struct Survivors {
   std::uint32_t count = 0;
   std::uint16_t triangle[kBlock + 1];
@@ -214,9 +218,9 @@ struct Survivors {
   }
 };
 
-// The numbers first, first + 1, … of d's lanes whose bits are set; returns where the next number goes. Where
-// an instruction does not do it, Highway looks a permutation up in a table of 1 KB, which GCC copies to the
-// stack each time.
+// The numbers first, first + 1, … of d's lanes whose bits are set; returns where the next number
+// goes. Where an instruction does not do it, Highway looks a permutation up in a table of 1 KB,
+// which GCC copies to the stack each time.
 template <class D>
 HWY_INLINE std::uint32_t* append_numbers(D d, std::size_t first, unsigned bits, std::uint32_t* to) {
   const std::size_t lanes = hn::Lanes(d);
@@ -249,7 +253,8 @@ HWY_INLINE void classify_block(const Limits& limits, const V* v, std::size_t str
   }
 }
 
-// The blocks of a group, a triangle of each in turn; of a smaller one, the last, one after the other.
+// The blocks of a group, a triangle of each in turn; of a smaller one, the last, one after the
+// other.
 template <class Limits, class V>
 HWY_INLINE void classify_group(const Limits& limits, const V* v, std::size_t stride,
                                std::size_t triangles, std::array<Survivors, kBlocksAtOnce>& out) {

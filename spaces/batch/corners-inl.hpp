@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Several planes, cut from a triangle's three own vertices: as in exact_corners.hpp, with corners as numbers in
-// a list. A corner's side of a plane is certain if the determinant is larger than its bound, of
-// exact_lines.hpp; a determinant of 0 is handed back, too.
+// Several planes, cut from a triangle's three own vertices: as in exact_corners.hpp, with corners
+// as numbers in a list. A corner's side of a plane is certain if the determinant is larger than its
+// bound, of exact_lines.hpp; a determinant of 0 is handed back, too.
 #if defined(CLIPSCOPE_BATCH_CORNERS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_CORNERS_INL
 #undef CLIPSCOPE_BATCH_CORNERS_INL
@@ -15,9 +15,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
 
-// What is left of a triangle that several planes cut: corners, in order. Lines 0 to 2 are the triangle's edges,
-// each opposite to its vertex, the others planes, 3 and on, as they are listed. kFromFirst: the polygon begins
-// where the scalar clipper's does, which goes round from the first corner.
+// What is left of a triangle that several planes cut: corners, in order. Lines 0 to 2 are the
+// triangle's edges, each opposite to its vertex, the others planes, 3 and on, as they are listed.
+// kFromFirst: the polygon begins where the scalar clipper's does, which goes round from the first
+// corner.
 template <bool kCertain, bool kFromFirst = false>
 class Corners {
  public:
@@ -35,8 +36,8 @@ class Corners {
     std::memcpy(lines_, kEdges, sizeof kEdges);
   }
 
-  // By the planes that have a bit in s.any. Whether all sides were certain, and the corners outside each
-  // plane one run.
+  // Cuts by the planes that have a bit in s.any. True if all sides were certain, and the corners
+  // outside each plane were one run.
   template <class Plane, class V>
   HWY_INLINE bool cut(const std::array<Plane, kPlanes>& planes, const Straddler<V>& s) {
     int cutting[kPlanes], count = 0;  // found without a branch
@@ -55,7 +56,7 @@ class Corners {
   }
 
   const List& list() const { return list_; }
-  // By its number in the list; below 3 they are the triangle's vertices.
+  // The corner with that number in the list; the triangle's vertices have numbers below 3.
   const Corner& operator[](int number) const { return corners_[number]; }
 
  private:
@@ -69,7 +70,7 @@ class Corners {
     }
   };
 
-  // Of the triangle's own vertices: distances are exact in sign.
+  // The sides of the triangle's own vertices, whose distances are exact in sign.
   static HWY_INLINE Sides vertex_sides(const double row[3]) {
     Sides r;
     for (int i = 0; i < 3; ++i) r.add(i, row[i], 0);
@@ -102,8 +103,8 @@ class Corners {
     });
   }
 
-  // Where a list from `first_in` on, with the new corners behind, has the first corner; if that is outside, the
-  // one where the inside is entered.
+  // Where a list from `first_in` on, with the new corners behind, has the first corner; if that is
+  // outside, the one where the inside is entered.
   HWY_INLINE int first_place(unsigned outside, const Crossing& crossing, const List& list) const {
     if ((outside & 1) != 0) return list.size - 1;
     return crossing.first_in == 0 ? 0 : list_.size - crossing.first_in;

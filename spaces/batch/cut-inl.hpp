@@ -2,9 +2,10 @@
 //
 // One straddling triangle, in SIMD over the coordinates and attributes of a vertex.
 //
-// Sutherland-Hodgman's polygon has one run of outside vertices per plane, so a bit mask names the edges
-// to be met, and a list of numbers stands for the polygon: nothing is copied from plane to plane. If rounding
-// has made several runs, the plain version takes over. A triangle cut by one plane has its order in a table.
+// Sutherland-Hodgman's polygon has one run of outside vertices per plane, so a bit mask names the
+// edges to be met, and a list of numbers stands for the polygon: nothing is copied from plane to
+// plane. If rounding has made several runs, the plain version takes over. A triangle cut by one
+// plane has its order in a table.
 #if defined(CLIPSCOPE_BATCH_CUT_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_CUT_INL
 #undef CLIPSCOPE_BATCH_CUT_INL
@@ -41,7 +42,8 @@ struct Shape {
 template <class T, class S>
 using LanesOf = hn::CappedTag<T, S::kWidth <= 4 ? 4 : 8>;
 
-// Floats or doubles of memory as a vector of T, and back; float to double is exact, double to float rounded.
+// Floats or doubles of memory as a vector of T, and back; float to double is exact, double to float
+// rounded.
 template <class D, class From>
 HWY_INLINE hn::Vec<D> load(D d, const From* p) {
   if constexpr (std::is_same_v<From, hn::TFromD<D>>) {
@@ -60,8 +62,8 @@ HWY_INLINE void store(D d, hn::Vec<D> v, To* p) {
   }
 }
 
-// Whether all coordinates and attributes of three vertices are finite, and so far from the largest number
-// that no difference or sum of two products with weights in [0, 1] overflows.
+// Whether all coordinates and attributes of three vertices are finite, and so far from the largest
+// number that no difference or sum of two products with weights in [0, 1] overflows.
 template <class S, class V>
 HWY_INLINE bool is_moderate(const S& shape, const V* const v[3]) {
   const LanesOf<V, S> d;
@@ -86,14 +88,14 @@ HWY_INLINE T distance(const ViewCodePlane& plane, const V* v) {
   return T(plane.own) * T(v[plane.axis]) + T(plane.z_weight) * T(v[2]) + T(plane.constant);
 }
 
-// A triangle that one plane cuts: the inside vertices in order, then the edge that leaves the inside and the
-// one that enters it, each from its inside end.
+// A triangle that one plane cuts: the inside vertices in order, then the edge that leaves the
+// inside and the one that enters it, each from its inside end.
 struct OnePlane {
   std::uint8_t first, second;  // inside; `second` counts only if there are two
   std::uint8_t inside;         // how many
   std::uint8_t leave_in, leave_out, enter_in, enter_out;
 };
-// By the mask of outside vertices, 1 to 6.
+// Indexed by the mask of outside vertices, 1 to 6.
 inline constexpr OnePlane kOnePlane[7] = {{},
                                           {1, 2, 2, 2, 0, 1, 0},
                                           {2, 0, 2, 0, 1, 2, 1},
@@ -137,8 +139,8 @@ HWY_INLINE void meet(const S& shape, const From* a, const From* b, T t, To* out)
 
 inline constexpr int kGiveUp = -1;
 
-// A convex polygon's vertices as numbers in a pool, four bits each: kept in a register, where it is rotated
-// without a loop. Beyond the size there are zeros.
+// A convex polygon's vertices as numbers in a pool, four bits each: kept in a register, where it is
+// rotated without a loop. Beyond the size there are zeros.
 struct List {
   std::uint64_t packed;
   int size;
@@ -156,8 +158,8 @@ struct List {
 inline constexpr List kTriangle = {0x210, 3};
 static_assert(3 + 2 * kPlanes <= 16);  // numbers in a pool
 
-// f(i) for each place of a list, and for 0 to 3 always: most lists have three or four vertices, and how many
-// is not to be predicted.
+// f(i) for each place of a list, and for 0 to 3 always: most lists have three or four vertices, and
+// how many is not to be predicted.
 template <class F>
 HWY_INLINE void for_each_place(const List& list, F&& f) {
   for (int i = 0; i < 4; ++i) f(i);
@@ -185,8 +187,8 @@ HWY_INLINE List inside_run(const List& list, unsigned outside, const Crossing& c
   return list.from(crossing.first_in).first(list.size - std::popcount(outside));
 }
 
-// Cuts a list by a plane; outside: a mask of the places. add(crossing, list) appends what takes the place of
-// those outside. Whether they were one run.
+// Cuts a list by a plane; outside: a mask of the places. add(crossing, list) appends what takes the
+// place of those outside. Whether they were one run.
 template <class F>
 HWY_INLINE bool cut_list(unsigned outside, List& list, F&& add) {
   if (outside == 0) return true;
@@ -217,8 +219,8 @@ struct Straddler {
   unsigned any;
 };
 
-// Sutherland-Hodgman in T, float or double, of vertices of V in a space with its limits and planes. Both
-// functions write the polygon to `out` and return how many vertices it has, or kGiveUp.
+// Sutherland-Hodgman in T, float or double, of vertices of V in a space with its limits and planes.
+// Both functions write the polygon to `out` and return how many vertices it has, or kGiveUp.
 template <class T, class S, class Limits, class Plane>
 struct Chain {
   const S& shape;
@@ -275,8 +277,9 @@ struct Chain {
   template <class V>
   HWY_INLINE void load_vertex(const V* v, T* out) const {
     const LanesOf<T, S> d;
-    for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d))
+    for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
       hn::Store(load(d, v + i), d, out + i);
+    }
   }
 
   // Whether the outside vertices were one run.

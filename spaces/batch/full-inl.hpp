@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The full contract: view space in, NDC out. A block of triangles is brought into the space where it is
-// cut, classified and cut as in the stage, and divided.
+// The full contract: view space in, NDC out. A block of triangles is brought into the space where
+// it is cut, classified and cut as in the stage, and divided.
 //
 //   by view planes     cut in view space, then projected
 //   computed in float  projected, cut and divided in float
@@ -20,8 +20,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
 
-// The rows of a projection matrix by lane, so that a position (x, y, z, …) becomes own (x, y, z, z) +
-// z_weight (z, z, z, z) + one, with the bits of `to_clip`.
+// The rows of a projection matrix by lane, so that a position (x, y, z, …) becomes own (x, y, z, z)
+// + z_weight (z, z, z, z) + one, with the bits of `to_clip`.
 template <class V>
 class ProjectionLanes {
   using D = hn::CappedTag<V, 4>;
@@ -53,8 +53,8 @@ class ProjectionLanes {
   HWY_ALIGN V own_[4], z_weight_[4], one_[4];
 };
 
-// A clip-space position divided by its w, rounded to float: (x, y, z, 1) / w. Whether w was finite and
-// positive, and x, y, z are finite in float.
+// A clip-space position divided by its w, rounded to float: (x, y, z, 1) / w. Whether w was finite
+// and positive, and x, y, z are finite in float.
 template <class V>
 HWY_INLINE bool divide_to(const V* v, float* out) {
   const hn::CappedTag<V, 4> d;
@@ -116,8 +116,8 @@ class FullClipper {
     }
   }
 
-  // A view-space vertex into the space where it is cut: (x, y, z, 1) or clip space. Without attributes
-  // there is no fourth float behind the last vertex.
+  // A view-space vertex into the space where it is cut: (x, y, z, 1) or clip space. Without
+  // attributes there is no fourth float behind the last vertex.
   HWY_INLINE void bring(const float* v, V* out) const {
     const std::size_t attributes = cutter_.shape.floats() - 4;
     HWY_ALIGN float position[4];
@@ -170,8 +170,8 @@ class FullClipper {
     access.commit(writer);
   }
 
-  // Vertices of the space of the cut to NDC, rounded to float; how many, or kGiveUp where something is
-  // not finite.
+  // Vertices of the space of the cut to NDC, rounded to float; how many, or kGiveUp where something
+  // is not finite.
   HWY_INLINE int finish(const V* v, int count, float* out) const {
     const std::size_t stride = cutter_.shape.floats();
     bool finite = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The full contract's entry point: chooses the instruction set at run time, then the method and the number of
-// attributes (see stage.cpp).
+// The full contract's entry point: chooses the instruction set at run time, then the method and the
+// number of attributes (see stage.cpp).
 #include "spaces/batch/methods.hpp"
 #include "spaces/batch/plain.hpp"
 #include "spaces/batch/targets.hpp"

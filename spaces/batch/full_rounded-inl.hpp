@@ -5,26 +5,26 @@
 // only one side of a plane for each corner, that is it. The others that survive go to the plain
 // version.
 //
-// Sides are exact: a distance is a sum of two products of floats, or of two floats, in double, and rounding
-// keeps its sign. That of a sheared projection has three terms, so all of its triangles go to the plain
-// version.
+// Sides are exact: a distance is a sum of two products of floats, or of two floats, in double, and
+// rounding keeps its sign. That of a sheared projection has three terms, so all of its triangles go
+// to the plain version.
 //
-// Lemma (own vertices). u = 2^-53. An entry of the matrix passes through at most three roundings, its product
-// with a float through one more, the sum through two: a clip coordinate is within 6 u m, to first order,
-// m = |own c| + |z_weight z| + |one|; w is exact. With the roundings of 1/w and of the product the
-// quotient is within 8 u m / w. 16 u m / w covers that, the terms of higher order and the rounding of
-// the interval's ends.
+// Lemma (own vertices). u = 2^-53. An entry of the matrix passes through at most three roundings,
+// its product with a float through one more, the sum through two: a clip coordinate is within 6 u
+// m, to first order, m = |own c| + |z_weight z| + |one|; w is exact. With the roundings of 1/w and
+// of the product the quotient is within 8 u m / w. 16 u m / w covers that, the terms of higher
+// order and the rounding of the interval's ends.
 //
-// Lemma (a cut edge). The weights, distances, are within u. Hence the numerator, l_a c_a + l_b c_b, is within
-// 9 u M, M = l_a m_a + l_b m_b, and the denominator D = l_a w_a + l_b w_b within 3 u W, W of |w|. If D is
-// certain to twenty bits, q is within (9 u M + |q| 3 u W) / D (1 + 2^-19) + 2 u |q|. Attributes are as
-// in barycentric-inl.hpp.
+// Lemma (a cut edge). The weights, distances, are within u. Hence the numerator, l_a c_a + l_b c_b,
+// is within 9 u M, M = l_a m_a + l_b m_b, and the denominator D = l_a w_a + l_b w_b within 3 u W, W
+// of |w|. If D is certain to twenty bits, q is within (9 u M + |q| 3 u W) / D (1 + 2^-19) + 2 u
+// |q|. Attributes are as in barycentric-inl.hpp.
 //
-// Lemma (a meeting of two planes). Each weight is a difference of two products of distances, within 4 u of the
-// sum of their magnitudes. Of sums of three products with these the numerator is within 13 u M and the
-// denominator within 7 u W, M and W now with the magnitudes of the weights; the quotient follows as on
-// an edge. Sides and attributes are as in barycentric-inl.hpp. A denominator above 2^-700 keeps whatever
-// underflows, below 2^-1070, far from any float's half.
+// Lemma (a meeting of two planes). Each weight is a difference of two products of distances, within
+// 4 u of the sum of their magnitudes. In sums of three products with these the numerator is within
+// 13 u M and the denominator within 7 u W, M and W now with the magnitudes of the weights; the
+// quotient follows as on an edge. Sides and attributes are as in barycentric-inl.hpp. A denominator
+// above 2^-700 keeps whatever underflows, below 2^-1070, far from any float's half.
 #if defined(CLIPSCOPE_BATCH_FULL_ROUNDED_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_FULL_ROUNDED_INL
 #undef CLIPSCOPE_BATCH_FULL_ROUNDED_INL
@@ -65,12 +65,13 @@ class ExactSides {
   }
 
  private:
-  // By the bit of a plane.
+  // Indexed by the bit of a plane.
   HWY_ALIGN double own_[8] = {}, z_weight_[8] = {}, constant_[8] = {};
 };
 
-// The places of a triangle's vertices that one plane cuts in the order of the plain version: of kApex's first, of
-// its c if that is inside, and of the cuts of apex-b and apex-c. By the mask of outside vertices, 1 to 6.
+// The places of a triangle's vertices that one plane cuts in the order of the plain version: of
+// kApex's first, of its c if that is inside, and of the cuts of apex-b and apex-c. Indexed by the
+// mask of outside vertices, 1 to 6.
 struct Places {
   std::uint8_t first, c, cut_b, cut_c;
 };
@@ -232,7 +233,8 @@ class FullRoundedClipper {
     return certain && write_meeting_attributes(c, vertex, out + 4);
   }
 
-  // Stores the float nearest to all between the ends; whether there is only one. Fixed lanes are of no matter.
+  // Stores the float nearest to all between the ends; whether there is only one. Fixed lanes are of
+  // no matter.
   static HWY_INLINE bool store_nearest(hn::Vec<D> low, hn::Vec<D> high, hn::Mask<D> fixed,
                                        float* out) {
     const hn::Rebind<float, D> df;
@@ -264,8 +266,9 @@ class FullRoundedClipper {
     return hn::IfThenElse(hn::FirstN(d, 3 - i), hn::Load(d, lanes + i), hn::Set(d, 1.0));
   }
 
-  // Sums of terms over w, which is certain within w_error, the sums within m_error of those of magnitudes; whether
-  // all lanes but the fixed ones are certain. Each function gives lanes from i on.
+  // Sums of terms over w, which is certain within w_error, the sums within m_error of those of
+  // magnitudes; whether all lanes but the fixed ones are certain. Each function gives lanes from i
+  // on.
   template <class Sums, class Magnitudes, class FixedLanes>
   static HWY_INLINE bool write_quotients(Sums&& sums, Magnitudes&& magnitudes, double w,
                                          double w_error, double m_error, FixedLanes&& fixed,

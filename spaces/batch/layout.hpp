@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the plain and the SIMD code of the batch clippers share: where results go, and what a vertex's code
-// says.
+// What the plain and the SIMD code of the batch clippers share: where results go, and what a
+// vertex's code says.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,8 @@ namespace clipscope::batch {
 // Triangles are classified, then cut, in blocks: what some blocks read and write stays in cache.
 inline constexpr std::size_t kBlock = 256;
 
-// From so many blocks triangles are read in turn: to several streams memory delivers more than to one.
+// From so many blocks triangles are read in turn: to several streams memory delivers more than to
+// one.
 inline constexpr std::size_t kBlocksAtOnce = 4;
 inline constexpr std::size_t kGroup = kBlocksAtOnce * kBlock;
 
@@ -34,7 +35,7 @@ struct Writer {
   std::uint32_t end;   // vertices so far, in all
   std::uint32_t* inside;
 
-  // Of a polygon that was written to `next`.
+  // Notes a polygon that was written to `next`.
   void add(std::size_t triangle, int vertices) {
     if (vertices == 0) return;
     next += static_cast<std::size_t>(vertices) * stride;
@@ -73,26 +74,27 @@ struct OutputAccess {
   Tally& tally() const { return out.tally_; }
 
  private:
-  // By doubling, so that growing is rare.
+  // Doubles the size, so that growing is rare.
   template <class V>
   static void grow(std::vector<V>& v, std::size_t size) {
     if (v.size() < size) v.resize(std::max(size, 2 * v.size()));
   }
 };
 
-// Bits of a vertex's code, one per plane by axis: bit c is coordinate c above w, bit 4 + c below its lower
-// bound. Two more say that w is not finite, or not positive. A NaN sets the bits of all its comparisons.
+// Bits of a vertex's code, one per plane by axis: bit c is coordinate c above w, bit 4 + c below
+// its lower bound. Two more say that w is not finite, or not positive. A NaN sets the bits of all
+// its comparisons.
 inline constexpr unsigned kPlaneBits = 0x77;
 
-// A plane's bit, and its signed distance w_weight w + c_weight c of a vertex. The weights are 0, 1 and -1,
-// so that the distance has the bits of `clip_distance` (spaces/planes.hpp).
+// A plane's bit, and its signed distance w_weight w + c_weight c of a vertex. The weights are 0, 1
+// and -1, so that the distance has the bits of `clip_distance` (spaces/planes.hpp).
 struct CodePlane {
   int bit, axis;
   float w_weight, c_weight;
 };
 
-// The planes of a volume in the order in which homogeneous/sutherland_hodgman cuts: near, far, left, right,
-// bottom, top.
+// The planes of a volume in the order in which homogeneous/sutherland_hodgman cuts: near, far,
+// left, right, bottom, top.
 constexpr std::array<CodePlane, kPlanes> code_planes(DepthRange depth) {
   const float lowest_z = depth == DepthRange::minus_one_to_one ? 1.0f : 0.0f;
   const CodePlane z_low{6, 2, lowest_z, 1}, z_high{2, 2, 1, -1};
@@ -102,7 +104,8 @@ constexpr std::array<CodePlane, kPlanes> code_planes(DepthRange depth) {
 }
 
 // The same in view space, of vertices (x, y, z, 1): own c + z_weight z + constant, with the bits of
-// `view_distance`, in the order in which view/sutherland_hodgman cuts. An infinite far plane is the constant 1.
+// `view_distance`, in the order in which view/sutherland_hodgman cuts. An infinite far plane is the
+// constant 1.
 struct ViewCodePlane {
   int bit, axis;
   float own, z_weight, constant;

@@ -26,8 +26,8 @@ HWY_INLINE void for_parts_in_turn(std::size_t count, F&& f) {
   for (std::size_t i = parts; i < count; ++i) f(i);
 }
 
-// Codes of as many vertices as kD8 has lanes, with their complements. Each comparison that a vertex passes
-// turns its bit off and that of the complement on: it adds the difference.
+// Codes of as many vertices as kD8 has lanes, with their complements. Each comparison that a vertex
+// passes turns its bit off and that of the complement on: it adds the difference.
 HWY_INLINE void classify_positions(const ClipLimits& limits, const float* v, std::size_t stride,
                                    std::uint16_t* codes) {
   const hn::RebindToUnsigned<D8> du;
@@ -79,8 +79,8 @@ class MeshBlock {
     std::fill_n(codes_ + count, kRun, 0);  // rejected
   }
 
-  // Numbers of the triangles inside go to the writer, others that survive to the list. number: the first
-  // triangle's in the mesh.
+  // Numbers of the triangles inside go to the writer, others that survive to the list. number: the
+  // first triangle's in the mesh.
   HWY_INLINE void sort(std::size_t count, std::size_t number, Writer& writer,
                        Survivors& out) const {
     const hn::CappedTag<std::uint16_t, kRun> d;
@@ -109,7 +109,8 @@ class MeshBlock {
   // Triangles at a time: their indices are three cache lines.
   static constexpr std::size_t kRun = 16;
 
-  // Of two triangles. The number of loads bounds the speed, so six indices are read as three pairs.
+  // Classifies two triangles. The number of loads bounds the speed, so six indices are read as
+  // three pairs.
   static HWY_INLINE void classify_two(const std::uint16_t* codes, const std::uint32_t* indices,
                                       std::uint16_t* HWY_RESTRICT out) {
     static_assert(std::endian::native == std::endian::little);

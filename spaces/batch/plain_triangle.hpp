@@ -13,9 +13,7 @@ Vertex<S, To, K> vertex_cast(const Vertex<S, From, K>& v) {
   Vertex<S, To, K> r;
   for (int c = 0; c < r.kDimension; ++c) r.position[c] = static_cast<To>(v.position[c]);
   r.attributes.resize(v.attributes.size());
-  for (int k = 0; k < v.attributes.size(); ++k) {
-    r.attributes[k] = static_cast<To>(v.attributes[k]);
-  }
+  for (int k = 0; k < v.attributes.size(); ++k) r.attributes[k] = static_cast<To>(v.attributes[k]);
   return r;
 }
 
@@ -119,7 +117,8 @@ ClipVertex<V, K> mean_vertex(DepthRange depth, const barycentric::Meeting& m,
   return v;
 }
 
-// Every new vertex from the three own ones in double, rounded to V; a coordinate on its plane is set.
+// Every new vertex from the three own ones in double, rounded to V; a coordinate on its plane is
+// set.
 template <std::floating_point V, int K>
 ClipPolygon<V, K> cut_from_originals(const ClipVolume& volume, const ClipTriangle<V, K>& triangle) {
   ClipPolygon<V, K> out;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The stage in its three output contracts: triangles are classified block by block, without a branch, and
-// what survives is copied, named or cut in the order of the input.
+// The stage in its three output contracts: triangles are classified block by block, without a
+// branch, and what survives is copied, named or cut in the order of the input.
 #if defined(CLIPSCOPE_BATCH_STAGE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_STAGE_INL
 #undef CLIPSCOPE_BATCH_STAGE_INL
@@ -20,7 +20,8 @@ namespace clipscope::batch::HWY_NAMESPACE {
 template <class M>
 inline constexpr bool kIsView = M::simd == Simd::view_planes;
 
-// Cuts one triangle of a space at a time by a method. The vertices are of V, and so is what comes out.
+// Cuts one triangle of a space at a time by a method. The vertices are of V, and so is what comes
+// out.
 template <class M, int K, class V>
 class Cutter {
  public:
@@ -43,8 +44,8 @@ class Cutter {
   const S shape;
   const Limits limits;
 
-  // Vertices written to `out`, or kGiveUp: then the plain version has to do it. any: the bits that some
-  // vertex has; not 0.
+  // Vertices written to `out`, or kGiveUp: then the plain version has to do it. any: the bits that
+  // some vertex has; not 0.
   HWY_INLINE int cut(const V* const vertex[3], unsigned any, V* out, Tally& tally) const {
     if (!is_moderate(shape, vertex)) {
       ++tally.plain;
@@ -68,8 +69,8 @@ class Cutter {
 
   static std::array<CodePlane, kPlanes> planes_in(DepthRange depth) {
     auto planes = code_planes(depth);
-    if (!kIsChain)
-      std::rotate(planes.begin(), planes.begin() + 2, planes.end());  // as `kAllPlanes`
+    // In the order of `kAllPlanes`.
+    if (!kIsChain) std::rotate(planes.begin(), planes.begin() + 2, planes.end());
     return planes;
   }
 
@@ -130,7 +131,8 @@ class Padded {
     }
   }
 
-  // Triangle t of streams. A vertex of four attributes is stored as one register, since it is loaded as one.
+  // Triangle t of streams. A vertex of four attributes is stored as one register, since it is
+  // loaded as one.
   HWY_INLINE void set(const S& shape, const TriangleStreams& in, std::size_t t) {
     const std::size_t attributes = shape.floats() - 4;
     for (int i = 0; i < 3; ++i) {
@@ -160,8 +162,8 @@ HWY_INLINE Codes codes_of(const ClipLimits& limits, const float* const vertex[3]
   return {a & b & c, a | b | c};
 }
 
-// The stage in its contracts, one call of one of them: the cutter with the plain version behind it, and what
-// a block of triangles needs.
+// The stage in its contracts, one call of one of them: the cutter with the plain version behind it,
+// and what a block of triangles needs.
 template <class M, int K>
 class Stage {
  public:
@@ -259,7 +261,7 @@ class Stage {
     access_.tally().rejected += triangles - inside_count - survivors_.count;
   }
 
-  // Of a mesh's block, whose indices these are; `first` is its first triangle.
+  // Cuts the survivors of a mesh's block, whose indices these are; `first` is its first triangle.
   HWY_INLINE void cut_survivors(const float* vertices, const std::uint32_t* indices,
                                 std::size_t first, Writer& writer) {
     constexpr std::size_t kAhead = 8;

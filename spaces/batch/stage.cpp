@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The stage's entry points: chooses the instruction set at run time, then the method and the number of
-// attributes, which are template parameters below it.
+// The stage's entry points: chooses the instruction set at run time, then the method and the number
+// of attributes, which are template parameters below it.
 // 0 and 4 attributes have code of their own; other numbers share one.
 #include <algorithm>
 #include <cassert>

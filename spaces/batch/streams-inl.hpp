@@ -13,8 +13,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
 
-// Classifies triangles [first, first + count) in whole vectors, and returns how many that are: numbers of
-// those inside go to the writer, others that survive, counted from `first`, to the list.
+// Classifies triangles [first, first + count) in whole vectors, and returns how many that are:
+// numbers of those inside go to the writer, others that survive, counted from `first`, to the list.
 template <class D>
 HWY_INLINE std::size_t classify_streams(D d, const ClipLimits& limits, const TriangleStreams& in,
                                         std::size_t first, std::size_t count, Writer& writer,

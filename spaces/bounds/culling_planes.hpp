@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The planes of a view volume in the form that bounding volumes are held against, with what is needed
-// to bound the rounding of every signed distance.
+// The planes of a view volume in the form that bounding volumes are held against, with what is
+// needed to bound the rounding of every signed distance.
 //
-// Made from a frustum, a projection, or any matrix to clip space; once per frame, say. Extraction from
-// a matrix: Gribb and Hartmann, "Fast Extraction of Viewing Frustum Planes from the
+// Made from a frustum, a projection, or any matrix to clip space; once per frame, say. Extraction
+// from a matrix: Gribb and Hartmann, "Fast Extraction of Viewing Frustum Planes from the
 // World-View-Projection Matrix", 2001.
 //
 // Rounding. A plane's form is d = n . p + offset, and over a volume it takes the values from
@@ -13,12 +13,12 @@
 //
 //   - n and offset are exact, or (from a matrix) one rounding away from a sum of two given numbers;
 //     W is made of the magnitudes of those two, so it bounds what cancelled as well;
-//   - a product takes part in at most 7 more roundings (an oriented box: its own, 2 in the dot product,
-//     1 by the half extent, 3 in sums), so low and high are wrong by at most gamma_8 W, where
-//     gamma_n = n u / (1 - n u): Higham, "Accuracy and Stability of Numerical Algorithms", 2002,
-//     lemma 3.1;
-//   - a clipper that transforms a point by the matrix rounds each coordinate of the clip position by
-//     at most gamma_4 of its terms, in any order of summation and with or without FMA, and both
+//   - a product takes part in at most 7 more roundings (an oriented box: its own, 2 in the dot
+//     product, 1 by the half extent, 3 in sums), so low and high are wrong by at most gamma_8 W,
+//     where gamma_n = n u / (1 - n u): Higham, "Accuracy and Stability of Numerical Algorithms",
+//     2002, lemma 3.1;
+//   - a clipper that transforms a point by the matrix rounds each coordinate of the clip position
+//     by at most gamma_4 of its terms, in any order of summation and with or without FMA, and both
 //     coordinates of w - x (and so on) together by gamma_4 W: 12 in all;
 //   - W is itself computed, with at most 9 roundings, so it may be too small by gamma_9 W.
 //
@@ -27,8 +27,8 @@
 // adds at most the smallest normal number, even if results are flushed to zero; a later factor
 // multiplies that. There are fewer than 32 products: 32 * min * (1 + the factors) covers them.
 // An overflow makes the bound infinite or NaN, which settles nothing.
-// Does not guarantee: anything if subnormal input is taken for zero (DAZ), or if the planes are made
-// from subnormal numbers while results are flushed.
+// Does not guarantee: anything if subnormal input is taken for zero (DAZ), or if the planes are
+// made from subnormal numbers while results are flushed.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -61,8 +61,8 @@ struct CullingPlanes {
                       Vec3<T>(std::numeric_limits<T>::infinity())};
 };
 
-// The error bound of a signed distance whose terms' magnitudes sum up to `magnitude`, where products
-// that may underflow are multiplied by at most 1 + factor afterwards.
+// The error bound of a signed distance whose terms' magnitudes sum up to `magnitude`, where
+// products that may underflow are multiplied by at most 1 + factor afterwards.
 template <std::floating_point T>
 constexpr T distance_error(const T& magnitude, const T& factor = T(0)) {
   constexpr T u = std::numeric_limits<T>::epsilon();
@@ -157,9 +157,7 @@ CullingPlanes<T> culling_planes(const Frustum<T>& f) {
   const T o(0), i(1);
   CullingPlanes<T> r;
   r.reach.upper[2] = -f.near;
-  if (!f.infinite_far) {
-    r.reach.lower[2] = -f.far;
-  }
+  if (!f.infinite_far) r.reach.lower[2] = -f.far;
   if (f.kind == ProjectionKind::perspective) {
     bounds::push_back(r, Vec3<T>(f.near, o, f.left), o);
     bounds::push_back(r, Vec3<T>(-f.near, o, -f.right), o);
@@ -176,9 +174,7 @@ CullingPlanes<T> culling_planes(const Frustum<T>& f) {
     bounds::set_parallel_reach(r.reach, f, 1, f.bottom, f.top, f.shear_y);
   }
   bounds::push_back(r, Vec3<T>(o, o, -i), -f.near);
-  if (!f.infinite_far) {
-    bounds::push_back(r, Vec3<T>(o, o, i), f.far);
-  }
+  if (!f.infinite_far) bounds::push_back(r, Vec3<T>(o, o, i), f.far);
   return r;
 }
 

@@ -3,7 +3,8 @@
 // Bounding volumes of points: each contains every point given, rounding included.
 //
 // Box: the least and greatest coordinates; exact.
-// Sphere: centre by Ritter, "An Efficient Bounding Sphere", Graphics Gems, 1990, or the middle of the
+// Sphere: centre by Ritter, "An Efficient Bounding Sphere", Graphics Gems, 1990, or the middle of
+// the
 //   box if that makes it smaller. Any centre serves: the radius is the largest distance from the
 //   centre as rounded, rounded up.
 // Oriented box: along given axes, or along the principal axes of the points' covariance.
@@ -35,20 +36,16 @@ AxisBox<T> bounding_box(std::span<const Vec3<T>> points) {
 
 namespace bounds {
 
-// The largest distance of a point from the centre, or more. Differences are scaled by a power of two,
-// so that no square overflows and those that underflow are far from the largest one.
+// The largest distance of a point from the centre, or more. Differences are scaled by a power of
+// two, so that no square overflows and those that underflow are far from the largest one.
 // Roundings: 1 of the difference, 1 of the square and 2 of sums, halved by the root; 1 of the root.
 template <std::floating_point T>
 T distance_above(std::span<const Vec3<T>> points, const Vec3<T>& centre) {
   T most(0);
   for (const Vec3<T>& p : points) {
-    for (int i = 0; i < 3; ++i) {
-      most = std::max(most, std::abs(p[i] - centre[i]));
-    }
+    for (int i = 0; i < 3; ++i) most = std::max(most, std::abs(p[i] - centre[i]));
   }
-  if (!(T(0) < most) || !std::isfinite(most)) {
-    return most;
-  }
+  if (!(T(0) < most) || !std::isfinite(most)) return most;
   const int exponent = std::ilogb(most);
   T square(0);
   for (const Vec3<T>& p : points) {
@@ -105,8 +102,8 @@ Vec3<T> unit(const Vec3<T>& v, const Vec3<T>& otherwise) {
   return T(0.5) < square && square < T(2) ? r : otherwise;
 }
 
-// How far the axes are from perpendicular and of length 1: the largest sum of magnitudes in a row of
-// A^T A - I, or more. NaN if an axis isn't finite.
+// How far the axes are from perpendicular and of length 1: the largest sum of magnitudes in a row
+// of A^T A - I, or more. NaN if an axis isn't finite.
 template <std::floating_point T>
 T skew(const std::array<Vec3<T>, 3>& axes) {
   T most(0);
@@ -118,9 +115,7 @@ T skew(const std::array<Vec3<T>, 3>& axes) {
                        Vec3<T>(std::abs(axes[k][0]), std::abs(axes[k][1]), std::abs(axes[k][2])));
     }
     most = std::max(most, sum + distance_error(magnitude));
-    if (!std::isfinite(sum)) {
-      return std::numeric_limits<T>::quiet_NaN();
-    }
+    if (!std::isfinite(sum)) return std::numeric_limits<T>::quiet_NaN();
   }
   return most;
 }
@@ -133,29 +128,21 @@ std::array<Vec3<T>, 3> principal_axes(std::span<const Vec3<T>> points, const Axi
   const Vec3<T> size = T(0.5) * box.upper - T(0.5) * box.lower;
   const Vec3<T> middle = T(0.5) * box.upper + T(0.5) * box.lower;
   const T most = std::max({size[0], size[1], size[2]});
-  if (!(T(0) < most)) {
-    return {x, y, z};
-  }
+  if (!(T(0) < most)) return {x, y, z};
   const T weight = T(1) / static_cast<T>(points.size());
   Vec3<T> mean(T(0));
-  for (const Vec3<T>& p : points) {
-    mean += weight * ((p - middle) / most);
-  }
+  for (const Vec3<T>& p : points) mean += weight * ((p - middle) / most);
   std::array<Vec3<T>, 3> covariance = {Vec3<T>(T(0)), Vec3<T>(T(0)), Vec3<T>(T(0))};
   for (const Vec3<T>& p : points) {
     const Vec3<T> d = (p - middle) / most - mean;
-    for (int i = 0; i < 3; ++i) {
-      covariance[static_cast<std::size_t>(i)] += weight * d[i] * d;
-    }
+    for (int i = 0; i < 3; ++i) covariance[static_cast<std::size_t>(i)] += weight * d[i] * d;
   }
   const auto spread = [&](const Vec3<T>& v) {
     return Vec3<T>(dot(covariance[0], v), dot(covariance[1], v), dot(covariance[2], v));
   };
   constexpr int kSteps = 32;
   Vec3<T> first = unit(size, x);
-  for (int i = 0; i < kSteps; ++i) {
-    first = unit(spread(first), first);
-  }
+  for (int i = 0; i < kSteps; ++i) first = unit(spread(first), first);
   const Vec3<T> aside = std::abs(first[0]) < T(0.5) ? x : y;
   Vec3<T> second = unit(cross(first, aside), z);
   for (int i = 0; i < kSteps; ++i) {
@@ -169,13 +156,9 @@ std::array<Vec3<T>, 3> principal_axes(std::span<const Vec3<T>> points, const Axi
 
 template <std::floating_point T>
 Sphere<T> bounding_sphere(std::span<const Vec3<T>> points) {
-  if (points.empty()) {
-    return {};
-  }
+  if (points.empty()) return {};
   const AxisBox<T> box = bounding_box(points);
-  if (!is_finite(box)) {
-    return {Vec3<T>(T(0)), std::numeric_limits<T>::infinity()};
-  }
+  if (!is_finite(box)) return {Vec3<T>(T(0)), std::numeric_limits<T>::infinity()};
   const auto around = [&](const Vec3<T>& centre) {
     return Sphere<T>{centre, bounds::distance_above(points, centre)};
   };
@@ -184,24 +167,21 @@ Sphere<T> bounding_sphere(std::span<const Vec3<T>> points) {
   return middle.radius < ritter.radius ? middle : ritter;
 }
 
-// The box along the given axes, which should be of length 1 and perpendicular to each other; if they
-// are far from it the box is along x, y and z.
+// The box along the given axes, which should be of length 1 and perpendicular to each other; if
+// they are far from it the box is along x, y and z.
 //
-// A point is centre + sum of t_i axes_i with A^T (p - centre) = A^T A t = (I + E) t, where A has the
-// axes as columns and e bounds the sums of magnitudes in the rows of E. So |t| <= |A^T (p - centre)| /
-// (1 - e) in the largest component, and t_i differs from the dot product with axis i by at most
-// e |t|. The dot products round by at most gamma_4 of their terms; distance_error covers that.
+// A point is centre + sum of t_i axes_i with A^T (p - centre) = A^T A t = (I + E) t, where A has
+// the axes as columns and e bounds the sums of magnitudes in the rows of E. So |t| <= |A^T (p -
+// centre)| / (1 - e) in the largest component, and t_i differs from the dot product with axis i by
+// at most e |t|. The dot products round by at most gamma_4 of their terms; distance_error covers
+// that.
 template <std::floating_point T>
 OrientedBox<T> bounding_oriented_box(std::span<const Vec3<T>> points,
                                      const std::array<Vec3<T>, 3>& axes) {
   OrientedBox<T> r;
-  if (points.empty()) {
-    return r;
-  }
+  if (points.empty()) return r;
   const T e = bounds::skew(axes);
-  if (e <= T(0.0625)) {
-    r.axes = axes;
-  }
+  if (e <= T(0.0625)) r.axes = axes;
   const bool along_axes = !(e <= T(0.0625));
   const AxisBox<T> box = bounding_box(points);
   r.centre = T(0.5) * box.lower + T(0.5) * box.upper;
@@ -217,9 +197,7 @@ OrientedBox<T> bounding_oriented_box(std::span<const Vec3<T>> points,
   }
   // An axis near length 1 has no component above 2.
   const T error = distance_error(T(2) * magnitude, magnitude);
-  for (int i = 0; i < 3; ++i) {
-    most = std::max(most, reach[i] + error);
-  }
+  for (int i = 0; i < 3; ++i) most = std::max(most, reach[i] + error);
   const T tilt = along_axes ? T(0) : T(2) * e * most;
   for (int i = 0; i < 3; ++i) {
     r.half[i] = (reach[i] + error + tilt) * (T(1) + 4 * std::numeric_limits<T>::epsilon());

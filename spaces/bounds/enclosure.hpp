@@ -3,10 +3,10 @@
 // Numbers between two bounds, and exact comparisons of products: what the bounds of projected
 // primitives are computed with.
 //
-// Every operation rounds to nearest, finds the exact rounding error by an error-free transformation,
-// and moves the bound outwards by one unit in the last place only if the error says so. Source:
-// Ogita, Rump and Oishi, "Accurate Sum and Dot Product", SIAM J. Sci. Comput. 26(6), 2005
-// (TwoSum, TwoProductFMA, and the remainder of a division).
+// Every operation rounds to nearest, finds the exact rounding error by an error-free
+// transformation, and moves the bound outwards by one unit in the last place only if the error says
+// so. Source: Ogita, Rump and Oishi, "Accurate Sum and Dot Product", SIAM J. Sci. Comput. 26(6),
+// 2005 (TwoSum, TwoProductFMA, and the remainder of a division).
 //
 // Guarantees: the exact result lies within the bounds, and an exactly representable one is kept
 // exactly, for round-to-nearest with gradual underflow. Where a result is so small that its error
@@ -85,9 +85,7 @@ Enclosure<T> sum(T a, T b) {
 template <std::floating_point T>
 Enclosure<T> product(T a, T b) {
   const T p = a * b;
-  if (a == T(0) || b == T(0)) {
-    return Enclosure<T>(p);
-  }
+  if (a == T(0) || b == T(0)) return Enclosure<T>(p);
   const bool safe = std::abs(p) >= kSafe<T>;
   return enclose(p, safe ? std::fma(a, b, -p) : std::numeric_limits<T>::quiet_NaN());
 }
@@ -96,9 +94,7 @@ Enclosure<T> product(T a, T b) {
 template <std::floating_point T>
 Enclosure<T> quotient(T a, T b) {
   const T q = a / b;
-  if (a == T(0)) {
-    return Enclosure<T>(q);
-  }
+  if (a == T(0)) return Enclosure<T>(q);
   const bool safe = std::abs(a) >= kSafe<T> && std::abs(q) >= kSafe<T> && std::isfinite(q);
   return enclose(q, safe ? std::fma(-q, b, a) : std::numeric_limits<T>::quiet_NaN());
 }
@@ -164,9 +160,7 @@ inline int compare_products(float a, float b, float c, float d) {
 
 inline int compare_products(double a, double b, double c, double d) {
   const int left = bounds::sign(a) * bounds::sign(b), right = bounds::sign(c) * bounds::sign(d);
-  if (left != right || left == 0) {
-    return left < right ? -1 : (right < left ? 1 : 0);
-  }
+  if (left != right || left == 0) return left < right ? -1 : (right < left ? 1 : 0);
   const bounds::ExactProduct p(a, b), q(c, d);
   return p < q ? -left : (q < p ? left : 0);
 }

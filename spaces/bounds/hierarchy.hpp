@@ -4,13 +4,14 @@
 //
 // Nodes lie in one array in depth-first order; a node whose subtree needs no look leads to the node
 // after it, so that a query needs no stack: Smits, "Efficiency Issues for Ray Tracing", Journal of
-// Graphics Tools 3(2), 1998. Split at the median of the triangles' middles along the longest side of
-// their box. Planes that a box is inside of are not tested again below it: Assarsson and Moeller, 2000.
+// Graphics Tools 3(2), 1998. Split at the median of the triangles' middles along the longest side
+// of their box. Planes that a box is inside of are not tested again below it: Assarsson and
+// Moeller, 2000.
 //
-// Guarantees: each range of triangles reported gets what visibility() promises, so a rejected range can
-// be left out and an accepted one drawn without clipping. The ranges reported are all triangles, once
-// each, in order. A query allocates nothing and does not recurse. A triangle with a NaN or infinite
-// coordinate gets look_closer, in a leaf with its neighbours.
+// Guarantees: each range of triangles reported gets what visibility() promises, so a rejected range
+// can be left out and an accepted one drawn without clipping. The ranges reported are all
+// triangles, once each, in order. A query allocates nothing and does not recurse. A triangle with a
+// NaN or infinite coordinate gets look_closer, in a leaf with its neighbours.
 // Does not guarantee: a shape that is best for ray tracing; no surface area heuristic is at work.
 #pragma once
 
@@ -45,8 +46,8 @@ class BoxHierarchy {
   BoxHierarchy() = default;
 
   // Triangle i has the positions of indices 3 i, 3 i + 1 and 3 i + 2. Allocates.
-  // Pre-conditions: every index < positions.size(); indices.size() is a multiple of 3 and below 2^32;
-  // leaf_size >= 1.
+  // Pre-conditions: every index < positions.size(); indices.size() is a multiple of 3 and below
+  // 2^32; leaf_size >= 1.
   BoxHierarchy(std::span<const Vec3<T>> positions, std::span<const std::uint32_t> indices,
                std::uint32_t leaf_size = 8) {
     assert(indices.size() % 3 == 0 && leaf_size >= 1);
@@ -60,9 +61,7 @@ class BoxHierarchy {
     }
     order_.resize(count);
     std::iota(order_.begin(), order_.end(), 0u);
-    if (count > 0) {
-      build(boxes, leaf_size);
-    }
+    if (count > 0) build(boxes, leaf_size);
   }
 
   const std::vector<Node>& nodes() const { return nodes_; }
@@ -122,10 +121,9 @@ class BoxHierarchy {
     const auto side = [&](int i) {
       return T(0.5) * node.box.upper[i] - T(0.5) * node.box.lower[i];
     };
-    for (int i = 1; i < 3; ++i) {
-      axis = side(i) > side(axis) ? i : axis;
-    }
-    // Not finite: all boxes of such triangles are infinite both ways; their middle is taken to be 0.
+    for (int i = 1; i < 3; ++i) axis = side(i) > side(axis) ? i : axis;
+    // Not finite: all boxes of such triangles are infinite both ways; their middle is taken to be
+    // 0.
     const auto middle = [&](std::uint32_t triangle) {
       const T m = T(0.5) * boxes[triangle].lower[axis] + T(0.5) * boxes[triangle].upper[axis];
       return std::isfinite(m) ? m : T(0);
@@ -135,7 +133,8 @@ class BoxHierarchy {
                      [&](std::uint32_t a, std::uint32_t b) { return middle(a) < middle(b); });
   }
 
-  // Sets `next`. The left child of node i is i + 1; the right one comes after the left one's subtree.
+  // Sets `next`. The left child of node i is i + 1; the right one comes after the left one's
+  // subtree.
   void link(std::uint32_t leaf_size) {
     for (auto i = static_cast<std::uint32_t>(nodes_.size()); i-- > 0;) {
       const bool is_leaf = nodes_[i].range.count <= leaf_size;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The bounds of a projected primitive: the tight screen rectangle of a convex polygon or a box after
-// the perspective divide, the part with w <= 0 cut away.
+// The bounds of a projected primitive: the tight screen rectangle of a convex polygon or a box
+// after the perspective divide, the part with w <= 0 cut away.
 //
-// What is bounded: the closed set V of all (x/w, y/w) of the primitive's points with w > 0, a convex
-// set. With the vertices in clip space v_i = (x_i, y_i, w_i), each edge crossing w = 0 met in a point
-// c_j = (x_j, y_j, 0), V is the convex hull of the v_i/w_i with w_i > 0, extended without end along each
-// c_j. Hence, for x (and likewise for y, and for the least value):
+// What is bounded: the closed set V of all (x/w, y/w) of the primitive's points with w > 0, a
+// convex set. With the vertices in clip space v_i = (x_i, y_i, w_i), each edge crossing w = 0 met
+// in a point c_j = (x_j, y_j, 0), V is the convex hull of the v_i/w_i with w_i > 0, extended
+// without end along each c_j. Hence, for x (and likewise for y, and for the least value):
 //
 //   - no w_i > 0: V is empty;
 //   - some x_j > 0: the greatest x is +infinity;
@@ -16,26 +16,28 @@
 // The sign of x_j on the edge from a to b is that of x_b w_a - x_a w_b: the sign is taken exactly.
 //
 // Within a rectangle R: V cut by R is the convex hull of the v_i/w_i inside R and of what V has in
-// common with R's four sides. On the line of a side, V is again such a set, one dimension lower: its
-// generators are the points where edges meet the plane y = t w (or x = t w).
-// Cutting a homogeneous polygon by w > 0 and by x = t w: Blinn and Newell, "Clipping Using Homogeneous
-// Coordinates", SIGGRAPH 1978.
+// common with R's four sides. On the line of a side, V is again such a set, one dimension lower:
+// its generators are the points where edges meet the plane y = t w (or x = t w).
+// Cutting a homogeneous polygon by w > 0 and by x = t w: Blinn and Newell, "Clipping Using
+// Homogeneous Coordinates", SIGGRAPH 1978.
 //
 // Guarantees (round-to-nearest, gradual underflow, no FMA contraction; float and double):
-//   - projected_bounds: each bound is the exact one, rounded once to nearest; with Rounding::outward it
-//     is the nearest number not inside of it. Every decision is exact. It is infinite or empty
-//     exactly if the exact one is, but for a quotient that overflows when rounded.
+//   - projected_bounds: each bound is the exact one, rounded once to nearest; with
+//     Rounding::outward it is the nearest number not inside of it. Every decision is exact. It is
+//     infinite or empty exactly if the exact one is, but for a quotient that overflows when
+//     rounded.
 //   - projected_bounds_within, outward: contains V cut by R. So if it is empty, nothing is visible.
 //   - projected_bounds_within, nearest: the same computed in double and rounded to T in the end.
 //   - NaN or infinity among x, y and w: everything may be covered: (-inf, inf), or R.
 // Does not guarantee: that results within R are tight where that is a matter of the last bits of
-// double: where V touches R within rounding, or where a side meets an edge next to x = y = w = 0, R or
-// a side of it may be the answer. In float that takes an edge through the eye, and next to all bounds
-// are the exact ones, correctly rounded; in double most are, or are a few units in the last place off.
-// Coordinates in double beyond 1e100 or below 1e-100 may loosen bounds.
+// double: where V touches R within rounding, or where a side meets an edge next to x = y = w = 0, R
+// or a side of it may be the answer. In float that takes an edge through the eye, and next to all
+// bounds are the exact ones, correctly rounded; in double most are, or are a few units in the last
+// place off. Coordinates in double beyond 1e100 or below 1e-100 may loosen bounds.
 // There is no near or far plane here: cut the primitive first if only what they leave counts.
-// The sign of a matrix matters: under M and -M the same points are visible from opposite sides of w = 0,
-// so a primitive with all w < 0 is empty. Negate a homography that is known up to its sign only.
+// The sign of a matrix matters: under M and -M the same points are visible from opposite sides of w
+// = 0, so a primitive with all w < 0 is empty. Negate a homography that is known up to its sign
+// only.
 #pragma once
 
 #include <span>
@@ -51,9 +53,7 @@ struct PolygonEdges {
   std::size_t count;
   template <class F>
   void for_each(F&& f) const {
-    for (std::size_t i = 0; i < count; ++i) {
-      f(i, i + 1 < count ? i + 1 : 0);
-    }
+    for (std::size_t i = 0; i < count; ++i) f(i, i + 1 < count ? i + 1 : 0);
   }
 };
 
@@ -95,9 +95,7 @@ Enclosure<T> quotient(const Enclosure<T>& v, const Enclosure<T>& w, Rounding rou
 }
 template <std::floating_point T>
 Enclosure<T> quotient(T v, T w, Rounding rounding) {
-  if (rounding == Rounding::nearest) {
-    return Enclosure<T>(v / w);
-  }
+  if (rounding == Rounding::nearest) return Enclosure<T>(v / w);
   const Enclosure<double> q = quotient<double>(v, w);
   return {rounded_down<T>(q.low, rounding), rounded_up<T>(q.high, rounding)};
 }
@@ -109,13 +107,9 @@ Extent<T> projected_extent(std::span<const Vec4<T>> points, const Edges& edges, 
   constexpr T infinity = std::numeric_limits<T>::infinity();
   Extent<T> r;
   for (const Vec4<T>& v : points) {
-    if (v[3] > T(0)) {
-      r.add(quotient(v[axis], v[3], rounding));
-    }
+    if (v[3] > T(0)) r.add(quotient(v[axis], v[3], rounding));
   }
-  if (r.empty()) {
-    return r;
-  }
+  if (r.empty()) return r;
   const auto extend = [&](int direction) {
     if (direction > 0) r.greatest = infinity;
     if (direction < 0) r.least = -infinity;
@@ -127,9 +121,7 @@ Extent<T> projected_extent(std::span<const Vec4<T>> points, const Edges& edges, 
     const bool forward = points[i][3] > T(0);
     const Vec4<T>& a = forward ? points[i] : points[j];
     const Vec4<T>& b = forward ? points[j] : points[i];
-    if (a[3] > T(0) && b[3] < T(0)) {
-      extend(compare_products(b[axis], a[3], a[axis], b[3]));
-    }
+    if (a[3] > T(0) && b[3] < T(0)) extend(compare_products(b[axis], a[3], a[axis], b[3]));
   });
   return r;
 }
@@ -137,9 +129,7 @@ Extent<T> projected_extent(std::span<const Vec4<T>> points, const Edges& edges, 
 template <std::floating_point T, class Edges>
 ScreenRectangle<T> projected_bounds(std::span<const Vec4<T>> points, const Edges& edges,
                                     Rounding rounding) {
-  if (!are_finite(points)) {
-    return ScreenRectangle<T>::everything();
-  }
+  if (!are_finite(points)) return ScreenRectangle<T>::everything();
   const Extent<T> x = projected_extent(points, edges, 0, rounding);
   const Extent<T> y = projected_extent(points, edges, 1, rounding);
   return {x.least, y.least, x.greatest, y.greatest};
@@ -166,8 +156,8 @@ class LineSection {
     }
   }
 
-  // From a generator at p > 0 to one at q < 0 the edge passes w = 0 with g > 0 if q's quotient is less
-  // than p's: (g_q w_p - g_p w_q) > 0 divided by w_p w_q < 0.
+  // From a generator at p > 0 to one at q < 0 the edge passes w = 0 with g > 0 if q's quotient is
+  // less than p's: (g_q w_p - g_p w_q) > 0 divided by w_p w_q < 0.
   Extent<double> extent() const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (unknown_) return {-infinity, infinity};
@@ -194,9 +184,7 @@ inline Enclosure<double> magnitude_of_difference(double t, double w, double v) {
     error = {next_below(error.low), next_above(error.high)};
   }
   Enclosure<double> d = Enclosure<double>(difference) + (Enclosure<double>(rest) + error);
-  if (difference < 0 || (difference == 0 && d.low < 0)) {
-    d = -d;
-  }
+  if (difference < 0 || (difference == 0 && d.low < 0)) d = -d;
   return {std::max(d.low, 0.0), d.high};
 }
 
@@ -237,12 +225,8 @@ template <std::floating_point T, class Edges>
 ScreenRectangle<T> projected_bounds_within(const ScreenRectangle<T>& rectangle,
                                            std::span<const Vec4<T>> points, const Edges& edges,
                                            Rounding rounding) {
-  if (rectangle.empty()) {
-    return {};
-  }
-  if (!are_finite(points)) {
-    return rectangle;
-  }
+  if (rectangle.empty()) return {};
+  if (!are_finite(points)) return rectangle;
   const std::array<Extent<double>, 2> range = {Extent<double>{rectangle.left, rectangle.right},
                                                Extent<double>{rectangle.bottom, rectangle.top}};
   std::array<Extent<double>, 2> r;
@@ -267,9 +251,7 @@ ScreenRectangle<T> projected_bounds_within(const ScreenRectangle<T>& rectangle,
   add_side(0, rectangle.right);
   add_side(1, rectangle.bottom);
   add_side(1, rectangle.top);
-  if (r[0].empty()) {
-    return {};
-  }
+  if (r[0].empty()) return {};
   return {std::max(rounded_down<T>(r[0].least, rounding), rectangle.left),
           std::max(rounded_down<T>(r[1].least, rounding), rectangle.bottom),
           std::min(rounded_up<T>(r[0].greatest, rounding), rectangle.right),
@@ -278,8 +260,8 @@ ScreenRectangle<T> projected_bounds_within(const ScreenRectangle<T>& rectangle,
 
 }  // namespace bounds
 
-// The bounds of the visible part of a convex planar polygon, vertices (x, y, z, w) in order; z is not
-// looked at. One vertex is a point, two are a segment.
+// The bounds of the visible part of a convex planar polygon, vertices (x, y, z, w) in order; z is
+// not looked at. One vertex is a point, two are a segment.
 // A polygon that isn't convex or planar: the bounds contain the visible part of each of its edges.
 template <std::floating_point T>
 ScreenRectangle<T> projected_bounds(std::span<const Vec4<T>> polygon,

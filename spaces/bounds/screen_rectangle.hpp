@@ -4,7 +4,8 @@
 //
 // Source: the viewport transform of the OpenGL 4.6 specification, section 13.8.1.
 // Guarantees: to_px outward contains the exact rectangle (round-to-nearest, gradual underflow).
-// Does not guarantee: anything about the rounding of `corners`, which is that of a matrix product in T.
+// Does not guarantee: anything about the rounding of `corners`, which is that of a matrix product
+// in T.
 #pragma once
 
 #include <array>
@@ -31,8 +32,8 @@ struct ScreenRectangle {
   }
 };
 
-// The corners of a box in clip space: bit 0 of the index chooses lower or upper x, bit 1 y, bit 2 z.
-// Any eight points with those twelve edges that are convex in (x, y, w) will do.
+// The corners of a box in clip space: bit 0 of the index chooses lower or upper x, bit 1 y, bit 2
+// z. Any eight points with those twelve edges that are convex in (x, y, w) will do.
 template <std::floating_point T>
 struct BoxCorners {
   std::array<Vec4<T>, 8> points;
@@ -83,19 +84,15 @@ T rounded_up(double v, Rounding rounding) {
 
 }  // namespace bounds
 
-// NDC to px: x_px = left + (x + 1) / 2 * (right - left), likewise y from bottom to top. `viewport` is
-// where NDC -1 and 1 come to lie; where y_px points down its bottom is greater than its top.
+// NDC to px: x_px = left + (x + 1) / 2 * (right - left), likewise y from bottom to top. `viewport`
+// is where NDC -1 and 1 come to lie; where y_px points down its bottom is greater than its top.
 // Infinite bounds stay infinite. Outward: contains the exact rectangle.
 template <std::floating_point T>
 ScreenRectangle<T> to_px(const ScreenRectangle<T>& viewport, const ScreenRectangle<T>& ndc,
                          Rounding rounding = Rounding::nearest) {
-  if (ndc.empty()) {
-    return {};
-  }
+  if (ndc.empty()) return {};
   const auto map = [&](T from, T to, T v, bool down) {
-    if (!std::isfinite(v)) {
-      return (from <= to) ? v : -v;
-    }
+    if (!std::isfinite(v)) return (from <= to) ? v : -v;
     const Enclosure<double> first(from), last(to), at(v);
     const Enclosure<double> share = at + Enclosure<double>(1), rest = Enclosure<double>(1) + -at;
     // from (1 - v) / 2 + to (1 + v) / 2: exact at v = -1 and v = 1.

@@ -2,30 +2,32 @@
 //
 // A bounding volume against a view volume: is it all outside, all inside, or must one look closer?
 //
-// Boxes: only the corner that lies furthest along a plane's normal, and the one furthest against it,
-// are looked at: Greene, "Detecting Intersection of a Rectangular Solid and a Convex Polyhedron",
-// Graphics Gems IV, 1994; Assarsson and Moeller, "Optimized View Frustum Culling Algorithms for
-// Bounding Boxes", Journal of Graphics Tools 5(1), 2000 (p-vertex and n-vertex, masking of planes).
-// A box that lies beside the whole volume, but outside of no single plane, is found by comparing it
-// with the volume's own box, as Quilez does ("Correct frustum culling", 2013).
+// Boxes: only the corner that lies furthest along a plane's normal, and the one furthest against
+// it, are looked at: Greene, "Detecting Intersection of a Rectangular Solid and a Convex
+// Polyhedron", Graphics Gems IV, 1994; Assarsson and Moeller, "Optimized View Frustum Culling
+// Algorithms for Bounding Boxes", Journal of Graphics Tools 5(1), 2000 (p-vertex and n-vertex,
+// masking of planes). A box that lies beside the whole volume, but outside of no single plane, is
+// found by comparing it with the volume's own box, as Quilez does ("Correct frustum culling",
+// 2013).
 //
 // Guarantees, for float and double, rounding included, in every rounding mode (culling_planes.hpp):
-//   - planes of a frustum: a rejected volume has no point in common with the exact closed frustum, an
-//     accepted one lies wholly inside it (reference::Truth::of_frustum);
-//   - planes of a projection or matrix: the same with the exact volume that the matrix as given cuts
-//     out (w >= |x| and so on), and also with what a clipper sees that transforms in T: every
+//   - planes of a frustum: a rejected volume has no point in common with the exact closed frustum,
+//     an accepted one lies wholly inside it (reference::Truth::of_frustum);
+//   - planes of a projection or matrix: the same with the exact volume that the matrix as given
+//     cuts out (w >= |x| and so on), and also with what a clipper sees that transforms in T: every
 //     representable point of a rejected volume gets the same bit in its clip_outcode, and every one
-//     of an accepted volume gets the outcode 0 and w > 0, whatever the order of summation.
-//     So a renderer that draws accepted meshes without clipping, or skips rejected ones, draws what
-//     it would have drawn.
+//     of an accepted volume gets the outcode 0 and w > 0, whatever the order of summation. So a
+//     renderer that draws accepted meshes without clipping, or skips rejected ones, draws what it
+//     would have drawn.
 //   - any NaN or infinity in a volume, and any overflow: look_closer;
 //   - an empty volume is rejected.
-// For a clip-space clipper, accepted against a *frustum* doesn't mean outcode 0: its vertices may come
-// out of the rounded matrix a few ulps beyond +-w. Use the planes of its projection there.
+// For a clip-space clipper, accepted against a *frustum* doesn't mean outcode 0: its vertices may
+// come out of the rounded matrix a few ulps beyond +-w. Use the planes of its projection there.
 //
-// Does not guarantee: that a volume which is outside is rejected. Boxes near edges and corners of the
-// frustum may be outside without being outside of one plane, and a volume that comes within rounding of
-// a plane (touches it, say) gets look_closer. Pre-condition for more than look_closer: finite planes.
+// Does not guarantee: that a volume which is outside is rejected. Boxes near edges and corners of
+// the frustum may be outside without being outside of one plane, and a volume that comes within
+// rounding of a plane (touches it, say) gets look_closer. Pre-condition for more than look_closer:
+// finite planes.
 #pragma once
 
 #include <cstdint>
@@ -52,13 +54,11 @@ namespace bounds {
 
 enum class Side : std::uint8_t { outside, inside, unsettled };
 
-// The side of a volume whose distances are low to high, give or take `error`. False comparisons with
-// NaN leave it unsettled.
+// The side of a volume whose distances are low to high, give or take `error`. False comparisons
+// with NaN leave it unsettled.
 template <std::floating_point T>
 constexpr Side side_of(const T& low, const T& high, const T& error) {
-  if (high < -error) {
-    return Side::outside;
-  }
+  if (high < -error) return Side::outside;
   return low > error ? Side::inside : Side::unsettled;
 }
 
@@ -104,9 +104,7 @@ Side side_of(const CullingPlane<T>& plane, const OrientedBox<T>& box) {
 template <std::floating_point T, class Volume>
 Visibility against_planes(const CullingPlanes<T>& planes, const Volume& volume, PlaneMask& mask) {
   for (int i = 0; i < planes.count; ++i) {
-    if ((mask >> i & 1) == 0) {
-      continue;
-    }
+    if ((mask >> i & 1) == 0) continue;
     switch (side_of(planes.planes[static_cast<std::size_t>(i)], volume)) {
       case Side::outside: return Visibility::rejected;
       case Side::inside: mask &= ~(PlaneMask{1} << i); break;
@@ -120,25 +118,20 @@ Visibility against_planes(const CullingPlanes<T>& planes, const Volume& volume, 
 template <std::floating_point T>
 constexpr bool are_disjoint(const AxisBox<T>& a, const AxisBox<T>& b) {
   for (int i = 0; i < 3; ++i) {
-    if (a.upper[i] < b.lower[i] || b.upper[i] < a.lower[i]) {
-      return true;
-    }
+    if (a.upper[i] < b.lower[i] || b.upper[i] < a.lower[i]) return true;
   }
   return false;
 }
 
 }  // namespace bounds
 
-// The same for a box inside another one: `mask` holds the planes that the outer box is not known to be
-// inside of, and receives those of this box. The answer is rejected, or accepted if none is left.
+// The same for a box inside another one: `mask` holds the planes that the outer box is not known to
+// be inside of, and receives those of this box. The answer is rejected, or accepted if none is
+// left.
 template <std::floating_point T>
 Visibility visibility(const CullingPlanes<T>& planes, const AxisBox<T>& box, PlaneMask& mask) {
-  if (!is_finite(box)) {
-    return Visibility::look_closer;
-  }
-  if (is_empty(box) || bounds::are_disjoint(planes.reach, box)) {
-    return Visibility::rejected;
-  }
+  if (!is_finite(box)) return Visibility::look_closer;
+  if (is_empty(box) || bounds::are_disjoint(planes.reach, box)) return Visibility::rejected;
   return bounds::against_planes(planes, box, mask);
 }
 
@@ -150,24 +143,16 @@ Visibility visibility(const CullingPlanes<T>& planes, const AxisBox<T>& box) {
 
 template <std::floating_point T>
 Visibility visibility(const CullingPlanes<T>& planes, const Sphere<T>& sphere) {
-  if (!is_finite(sphere)) {
-    return Visibility::look_closer;
-  }
-  if (is_empty(sphere)) {
-    return Visibility::rejected;
-  }
+  if (!is_finite(sphere)) return Visibility::look_closer;
+  if (is_empty(sphere)) return Visibility::rejected;
   PlaneMask mask = all_planes(planes);
   return bounds::against_planes(planes, sphere, mask);
 }
 
 template <std::floating_point T>
 Visibility visibility(const CullingPlanes<T>& planes, const OrientedBox<T>& box) {
-  if (!is_finite(box)) {
-    return Visibility::look_closer;
-  }
-  if (is_empty(box)) {
-    return Visibility::rejected;
-  }
+  if (!is_finite(box)) return Visibility::look_closer;
+  if (is_empty(box)) return Visibility::rejected;
   PlaneMask mask = all_planes(planes);
   return bounds::against_planes(planes, box, mask);
 }

@@ -2,9 +2,9 @@
 //
 // Bounding volumes: axis-aligned box, sphere and oriented box.
 //
-// Each is a closed set of points, given exactly by its numbers. The space they live in is the user's
-// business: view space for a frustum, any space for a matrix that leads from it to clip space.
-// Default-constructed volumes are empty. Scalars are IEEE formats (float, double).
+// Each is a closed set of points, given exactly by its numbers. The space they live in is the
+// user's business: view space for a frustum, any space for a matrix that leads from it to clip
+// space. Default-constructed volumes are empty. Scalars are IEEE formats (float, double).
 // Does not guarantee: anything about volumes with a NaN or an infinity beyond what each query says.
 #pragma once
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Cohen-Sutherland for segments in the canonical view volume, with 6-bit outcodes, after the divide.
+// Cohen-Sutherland for segments in the canonical view volume, with 6-bit outcodes, after the
+// divide.
 //
-// Source: Cohen and Sutherland, in Newman and Sproull, "Principles of Interactive Computer Graphics",
-// 1973.
+// Source: Cohen and Sutherland, in Newman and Sproull, "Principles of Interactive Computer
+// Graphics", 1973.
 // Guarantees: as cohen_sutherland.hpp.
-// Does not guarantee: an answer where w <= 0 is left in front of the near plane, or anywhere if depths do
-// not clip: such a segment is dropped.
+// Does not guarantee: an answer where w <= 0 is left in front of the near plane, or anywhere if
+// depths do not clip: such a segment is dropped.
 #pragma once
 
 #include "spaces/cohen_sutherland.hpp"

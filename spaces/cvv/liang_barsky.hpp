@@ -8,9 +8,9 @@
 //
 // Source: Liang and Barsky, "A New Concept and Method for Line Clipping", ACM TOG 3(1), 1984.
 // Guarantees: as liang_barsky.hpp.
-// Does not guarantee: an answer where w <= 0 is left in front of the near plane, or anywhere if depths do
-// not clip: such a segment is dropped. The naive variant draws the wrong segment where some w <= 0: the
-// one through infinity becomes the one between the mirrored ends.
+// Does not guarantee: an answer where w <= 0 is left in front of the near plane, or anywhere if
+// depths do not clip: such a segment is dropped. The naive variant draws the wrong segment where
+// some w <= 0: the one through infinity becomes the one between the mirrored ends.
 #pragma once
 
 #include "spaces/cvv/segment_space.hpp"

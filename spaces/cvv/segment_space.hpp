@@ -23,7 +23,7 @@ class CvvSegmentSpace {
       : volume_(volume), planes_(planes_of(volume)) {}
 
   constexpr Outcode planes() const { return planes_; }
-  // Of clip distances the sign of the attribute decides, as in clip space. Pre-condition: w > 0.
+  // A clip distance decides by the sign of the attribute, as in clip space. Pre-condition: w > 0.
   constexpr Outcode outcode(const NdcVertex<T, K>& v) const {
     return (ndc_outcode(volume_.depth, v.position) | clip_distance_outcode(volume_, v.attributes)) &
            planes_;
@@ -34,9 +34,7 @@ class CvvSegmentSpace {
   constexpr NdcVertex<T, K> meet(Plane plane, const NdcVertex<T, K>& inside,
                                  const NdcVertex<T, K>& outside, const T& t) const {
     NdcVertex<T, K> r = cvv::interpolate_perspective(inside, outside, t);
-    if (!is_clip_distance(plane)) {
-      r.position[static_cast<int>(plane) / 2] = coordinate(plane);
-    }
+    if (!is_clip_distance(plane)) r.position[static_cast<int>(plane) / 2] = coordinate(plane);
     return r;
   }
 
@@ -60,8 +58,8 @@ class CvvSegmentSpace {
 
 namespace cvv {
 
-// Cuts a segment by the given planes in clip space and divides both ends. Nothing is left of it where an
-// end has w <= 0 or is not finite after the cut.
+// Cuts a segment by the given planes in clip space and divides both ends. Nothing is left of it
+// where an end has w <= 0 or is not finite after the cut.
 template <Scalar T, int K>
 constexpr std::optional<std::array<NdcVertex<T, K>, 2>> cut_and_divide(
     const ClipVolume& volume, Outcode planes, const ClipSegment<T, K>& segment) {

@@ -6,13 +6,14 @@
 //   cvv/perspective  attributes by way of a/w and 1/w, which are linear in NDC
 //   cvv/near_first   a homogeneous cut by the near plane before the divide, then cvv/perspective
 //
-// Perspective-correct interpolation: Blinn, "Hyperbolic Interpolation", IEEE CG&A 12(4), 1992; Heckbert
-// and Moreton, "Interpolation for Polygon Texture Mapping and Shading", 1991.
-// Does not guarantee: anything sensible where some w <= 0: dividing by a negative w mirrors a vertex to the
-// other side, dividing by 0 sends it to infinity. What that does to a picture is what the first two
-// are here to show. For cvv/near_first the near cut leaves w > 0 of whatever comes from view space; a
-// clip-space triangle that no projection makes may keep w <= 0 in front of the near plane, and is then
-// dropped. A triangle divided by w = 0 yields nothing in scalars that know no infinity.
+// Perspective-correct interpolation: Blinn, "Hyperbolic Interpolation", IEEE CG&A 12(4), 1992;
+// Heckbert and Moreton, "Interpolation for Polygon Texture Mapping and Shading", 1991.
+// Does not guarantee: anything sensible where some w <= 0: dividing by a negative w mirrors a
+// vertex to the other side, dividing by 0 sends it to infinity. What that does to a picture is what
+// the first two are here to show. For cvv/near_first the near cut leaves w > 0 of whatever comes
+// from view space; a clip-space triangle that no projection makes may keep w <= 0 in front of the
+// near plane, and is then dropped. A triangle divided by w = 0 yields nothing in scalars that know
+// no infinity.
 #pragma once
 
 #include "spaces/clipper.hpp"
@@ -25,8 +26,8 @@ enum class AttributeInterpolation { affine, perspective };
 
 namespace cvv {
 
-// The point at t between two NDC vertices with attributes that are linear in eye space: the eye-space
-// parameter is t' = t w_outside^-1 / ((1 - t) w_inside^-1 + t w_outside^-1).
+// The point at t between two NDC vertices with attributes that are linear in eye space: the
+// eye-space parameter is t' = t w_outside^-1 / ((1 - t) w_inside^-1 + t w_outside^-1).
 template <Scalar T, int K>
 constexpr NdcVertex<T, K> interpolate_perspective(const NdcVertex<T, K>& inside,
                                                   const NdcVertex<T, K>& outside, const T& t) {
@@ -61,9 +62,7 @@ constexpr void cut_planes(DepthRange depth, Outcode planes, NdcPolygon<T, K>& po
     rest = &cut_by_planes(polygon, scratch, planes, kAllPlanes, distance,
                           interpolate_perspective<T, K>);
   }
-  if (rest != &polygon) {
-    polygon = *rest;
-  }
+  if (rest != &polygon) polygon = *rest;
   polygon.drop_if_degenerate();
   clear_if_overflowed(polygon);
 }
@@ -149,9 +148,7 @@ struct CvvNearFirst : StartsInClipSpace<CvvNearFirst> {
       return signed_distance(volume.depth, Plane::near, v);
     });
     for (const ClipVertex<T, K>& v : polygon) {
-      if (!(T(0) < v.position[3])) {
-        return;
-      }
+      if (!(T(0) < v.position[3])) return;
     }
     cvv::divide_and_cut<AttributeInterpolation::perspective>(volume, planes_of(volume), polygon,
                                                              out);

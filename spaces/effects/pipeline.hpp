@@ -3,14 +3,14 @@
 // Clipping pipelines composed of the effects that a plan calls for, and of nothing else.
 //
 // A Composition is a compile-time choice of steps; what it leaves out is not in its code. The
-// compositions of a table are instantiated, and a plan picks the least one that covers it, once for a
-// batch of triangles: opposite sides are tested as a pair, far together with near, the w guard wherever
-// anything is tested, user planes with everything else (by homogeneous/sutherland_hodgman itself). A
-// composition with more than the plan gives the same polygons.
+// compositions of a table are instantiated, and a plan picks the least one that covers it, once for
+// a batch of triangles: opposite sides are tested as a pair, far together with near, the w guard
+// wherever anything is tested, user planes with everything else (by homogeneous/sutherland_hodgman
+// itself). A composition with more than the plan gives the same polygons.
 //
 // In: view-space triangles. Out: per triangle one polygon of the contract (spaces/clipper.hpp), but
-//   - without perspective correction 1/w is 1 at every vertex, so that whoever interpolates a/w and 1/w
-//     gets the affine answer, within the plan's tolerance;
+//   - without perspective correction 1/w is 1 at every vertex, so that whoever interpolates a/w and
+//     1/w gets the affine answer, within the plan's tolerance;
 //   - without depth z is 0;
 //   - with a guard band polygons may reach beyond the sides, up to that band.
 // All other bits are those of homogeneous/sutherland_hodgman.
@@ -42,8 +42,8 @@ struct Composition {
 
 namespace effects {
 
-// Polygons on the stack start at a cache line, so that handing them on costs the same wherever the stack
-// happens to lie; bytes.
+// Polygons on the stack start at a cache line, so that handing them on costs the same wherever the
+// stack happens to lie; bytes.
 inline constexpr std::size_t kCacheLine = 64;
 
 inline constexpr std::size_t kCompositions = 3 * 2 * 2 * 3 * 3 * 2;
@@ -75,8 +75,8 @@ constexpr Composition composition_at(std::size_t i) {
   return c;
 }
 
-// The least composition that covers the effects. Planes that do not clip in this volume (depth clamp)
-// are not tested, whoever asks for it. Pre-condition: no user planes are called for.
+// The least composition that covers the effects. Planes that do not clip in this volume (depth
+// clamp) are not tested, whoever asks for it. Pre-condition: no user planes are called for.
 constexpr Composition compose(const ClipVolume& volume, const EffectSet& e) {
   const Outcode clipping = planes_of(volume);
   const auto tests = [&](Plane p) {
@@ -150,9 +150,10 @@ constexpr Vec4<T> to_planned_ndc(const Vec4<T>& v) {
   }
 }
 
-// The way of a triangle that is cut, the same for all compositions: what could be left out here is left
-// out afterwards, so that an overflow on the way drops the triangle as it does in the full pipeline.
-// kCarried: the number of attributes that are interpolated, all or none. Pre-condition: `out` is empty.
+// The way of a triangle that is cut, the same for all compositions: what could be left out here is
+// left out afterwards, so that an overflow on the way drops the triangle as it does in the full
+// pipeline. kCarried: the number of attributes that are interpolated, all or none. Pre-condition:
+// `out` is empty.
 template <int kCarried, Scalar T, int K>
 constexpr void cut_triangle(DepthRange depth, Outcode planes,
                             const std::array<Vec4<T>, 3>& positions,
@@ -269,8 +270,8 @@ void clip_fully(const Projection<T>& projection, std::span<const ViewTriangle<T,
   }
 }
 
-// Clips with just what the plan calls for; sink(const NdcPolygon<T, K>&) gets one polygon, maybe empty,
-// for each triangle, in order. revision: of the triangles as they are now.
+// Clips with just what the plan calls for; sink(const NdcPolygon<T, K>&) gets one polygon, maybe
+// empty, for each triangle, in order. revision: of the triangles as they are now.
 template <std::floating_point T, int K, class Sink>
 void clip_as_planned(const Plan<T>& plan, std::uint64_t revision,
                      std::span<const ViewTriangle<T, K>> triangles, Sink&& sink) {

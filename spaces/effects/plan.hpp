@@ -5,10 +5,10 @@
 // An effect is left out only where the facts prove that the full pipeline,
 // homogeneous/sutherland_hodgman, would give the same without it:
 //
-//   plane             no vertex of a triangle that is not rejected is outside of it (no cut); and it is
-//                     not needed to reject one either (no test)
-//   guard band        sides that are crossed within the band only: left to the scissor of whoever takes
-//                     the polygons, if there is one (LookOptions)
+//   plane             no vertex of a triangle that is not rejected is outside of it (no cut); and
+//                     it is not needed to reject one either (no test)
+//   guard band        sides that are crossed within the band only: left to the scissor of whoever
+//                     takes the polygons, if there is one (LookOptions)
 //   w guard           every w is positive and finite
 //   divide            every w is 1
 //   perspective       w differs so little within a triangle that affine attributes are within the
@@ -21,9 +21,9 @@
 // Perspective correction. A point of a triangle at barycentric coordinates b on the screen has
 // lambda_i = b_i q_i / q in space, with q_i = 1 / w_i and q = sum of b_i q_i: Heckbert and Moreton,
 // "Interpolation for Polygon Texture Mapping and Shading", 1991. Affine interpolation takes b for
-// lambda. Its error in an attribute of range R is at most R/2 sum |b_i - lambda_i|. With a share p of b
-// where q_i > q this is largest where q_i takes two values, R p (1 - p) (Q - 1) / (p Q + 1 - p) for
-// Q = w_max / w_min, and over p
+// lambda. Its error in an attribute of range R is at most R/2 sum |b_i - lambda_i|. With a share p
+// of b where q_i > q this is largest where q_i takes two values, R p (1 - p) (Q - 1) / (p Q + 1 -
+// p) for Q = w_max / w_min, and over p
 //
 //     R (sqrt(Q) - 1) / (sqrt(Q) + 1) = R (Q - 1) / (sqrt(Q) + 1)^2,
 //
@@ -31,8 +31,8 @@
 // vertices: each cut adds at most 3 u w_max to a w and 3 u |a| to an attribute, 14 cuts 42 u; 96 u
 // covers both ends of a range, and the roundings of the bound itself are covered by a factor.
 //
-// A plan can't be made too lean: an EffectSet is everything unless Plan, which asks the facts, takes
-// something out; facts know nothing unless they looked; sets can only be joined.
+// A plan can't be made too lean: an EffectSet is everything unless Plan, which asks the facts,
+// takes something out; facts know nothing unless they looked; sets can only be joined.
 #pragma once
 
 #include <cmath>
@@ -96,8 +96,8 @@ class EffectSet {
 
 template <std::floating_point T>
 struct PlanOptions {
-  // The largest error of an attribute anywhere in a triangle that may pass for perspective-correct, in
-  // the attribute's own unit. 0 leaves perspective correction out only where it changes nothing.
+  // The largest error of an attribute anywhere in a triangle that may pass for perspective-correct,
+  // in the attribute's own unit. 0 leaves perspective correction out only where it changes nothing.
   T tolerance = T(1) / T(512);
   bool depth = true;  // somebody reads z
 };
@@ -136,7 +136,8 @@ class Plan {
   const Projection<T>& projection() const { return projection_; }
   std::uint64_t revision() const { return revision_; }
   const EffectSet& effects() const { return effects_; }
-  // A bound of what leaving perspective correction out does to an attribute; infinite if none is known.
+  // A bound of what leaving perspective correction out does to an attribute; infinite if none is
+  // known.
   T affine_error() const { return affine_error_; }
 
   // The same plan with more effects.

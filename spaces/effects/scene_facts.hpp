@@ -2,26 +2,30 @@
 //
 // What a scene, seen through one projection, can ask of a clipping pipeline: SceneFacts.
 //
-// Triangles are looked at in groups. The box of a group is held against the planes (culling_planes.hpp,
-// whose error bound covers the rounding of the pipeline's transform as well); only where that leaves
-// open a question that is still of interest are the group's triangles looked at one by one, by the clip
-// coordinates and outcodes that the pipeline itself computes. The looking ends where nothing more can
-// be found: once everything is called for.
+// Triangles are looked at in groups. The box of a group is held against the planes
+// (culling_planes.hpp, whose error bound covers the rounding of the pipeline's transform as well);
+// only where that leaves open a question that is still of interest are the group's triangles looked
+// at one by one, by the clip coordinates and outcodes that the pipeline itself computes. The
+// looking ends where nothing more can be found: once everything is called for.
 // Method: this project. Boxes against planes: see visibility.hpp. Outcodes: see planes.hpp.
 //
 // A triangle is called rejected here if all its vertices are outside of one plane, by outcodes.
-// Guarantees, for a pipeline with the same rounding mode and the same treatment of contraction (FMA):
+// Guarantees, for a pipeline with the same rounding mode and the same treatment of contraction
+// (FMA):
 //   - crossed(): every plane that some vertex of a triangle that is not rejected is outside of;
 //   - rejecting(): planes that together with crossed() suffice to reject each rejected triangle;
-//   - crossed_band(): side planes at guard_band times their distance that such a vertex is outside of;
-//   - has_bad_w() false: w is positive and finite at all vertices of triangles that are not rejected;
+//   - crossed_band(): side planes at guard_band times their distance that such a vertex is outside
+//     of;
+//   - has_bad_w() false: w is positive and finite at all vertices of triangles that are not
+//     rejected;
 //   - has_unit_w(): w is exactly 1 at every vertex of the scene;
 //   - w_ratio(): no triangle that is not rejected has a larger w_max / w_min.
-// Facts err to one side only: they may report what does not happen. NaN and infinity count as anything.
+// Facts err to one side only: they may report what does not happen. NaN and infinity count as
+// anything.
 //
 // Facts hold for the projection and the triangles looked at, as long as these stay as they are.
-// `revision` is the caller's number for that state: whoever animates a vertex changes the number, and a
-// plan made of older facts then runs the full pipeline (pipeline.hpp).
+// `revision` is the caller's number for that state: whoever animates a vertex changes the number,
+// and a plan made of older facts then runs the full pipeline (pipeline.hpp).
 // Does not guarantee: the least that a scene calls for, where boxes settle a question.
 #pragma once
 
@@ -33,11 +37,12 @@
 
 namespace clipscope {
 
-// What attributes are like; the same from every view, so found once per mesh. By default: unknown.
+// What attributes are like. It is the same from every view, so it is found once per mesh. The
+// default is that nothing is known.
 template <std::floating_point T>
 struct AttributeFacts {
-  // Each attribute has the same value at the three vertices of any triangle, is finite and not -0: then
-  // a + t (a - a) is a to the bit (-0 would give 0).
+  // Each attribute has the same value at the three vertices of any triangle, is finite and not -0:
+  // then a + t (a - a) is a to the bit (-0 would give 0).
   bool flat = false;
   // The largest difference within a triangle, and the largest magnitude, of any attribute.
   T range = std::numeric_limits<T>::infinity();
@@ -117,7 +122,7 @@ class SceneFacts {
   static constexpr Outcode kSidePlanes =
       bit(Plane::left) | bit(Plane::right) | bit(Plane::bottom) | bit(Plane::top);
 
-  // By then the rest can't change what is known.
+  // Nothing that comes after can change what is known then.
   bool is_everything_called_for() const {
     return crossed_ == planes_of(projection_.volume) && !is_band_open(kSidePlanes) && has_bad_w_ &&
            !has_unit_w_;
@@ -206,9 +211,7 @@ class SceneFacts {
 
   template <int K>
   void look_closer(std::span<const ViewTriangle<T, K>> group) {
-    for (const ViewTriangle<T, K>& triangle : group) {
-      look_closer(triangle);
-    }
+    for (const ViewTriangle<T, K>& triangle : group) look_closer(triangle);
   }
 
   template <int K>

@@ -2,14 +2,15 @@
 //
 // Blinn and Newell's clipper: boundary coordinates computed once per vertex and interpolated.
 //
-// Each vertex carries its signed distances to all planes, its boundary coordinates. Their signs accept
-// and reject; a new vertex gets its boundary coordinates by the same interpolation as its position, so
-// that nothing is ever computed from a rounded position.
+// Each vertex carries its signed distances to all planes, its boundary coordinates. Their signs
+// accept and reject; a new vertex gets its boundary coordinates by the same interpolation as its
+// position, so that nothing is ever computed from a rounded position.
 // Source: Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978.
 // Guarantees: the vertices on an edge depend on that edge alone, bit for bit: a boundary coordinate
-// interpolated between two that are >= 0 is >= 0 (rounding is monotone), so a plane that the ends of an
-// edge are inside of never touches what lies between them, whichever planes the neighbour is cut by.
-// Does not guarantee: the exact vertex count where a vertex comes within rounding of a plane.
+// interpolated between two that are >= 0 is >= 0 (rounding is monotone), so a plane that the ends
+// of an edge are inside of never touches what lies between them, whichever planes the neighbour is
+// cut by. Does not guarantee: the exact vertex count where a vertex comes within rounding of a
+// plane.
 #pragma once
 
 #include "spaces/clipper.hpp"
@@ -22,8 +23,7 @@ namespace clipscope {
 struct BlinnNewell : StartsInClipSpace<BlinnNewell> {
   static constexpr std::string_view name = "homogeneous/blinn_newell";
   static constexpr std::string_view summary =
-      "Sutherland-Hodgman in clip space on boundary coordinates that are interpolated with the "
-      "vertex";
+      "Sutherland-Hodgman in clip space on boundary coordinates that are interpolated with the vertex";
   static constexpr std::string_view source =
       "Blinn and Newell, Clipping Using Homogeneous Coordinates, 1978";
   static constexpr Promise promise{.ulps = kChainUlps, .watertight = true};
@@ -31,15 +31,16 @@ struct BlinnNewell : StartsInClipSpace<BlinnNewell> {
   template <Scalar T, int K>
   static constexpr void clip(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
                              NdcPolygon<T, K>& out) {
-    BoundedPolygon<T, K> polygon, scratch;
-    divide(cut(volume, triangle, polygon, scratch), out);
+    out.clear();
+    cut_and_then(volume, triangle, [&](const auto& rest) { divide(rest, out); });
   }
 
   template <Scalar T, int K>
   static constexpr ClipPolygon<T, K> cut(const ClipVolume& volume,
                                          const ClipTriangle<T, K>& triangle) {
-    BoundedPolygon<T, K> polygon, scratch;
-    return divisible<T, K>(cut(volume, triangle, polygon, scratch));
+    ClipPolygon<T, K> out;
+    cut_and_then(volume, triangle, [&](const auto& rest) { out = divisible<T, K>(rest); });
+    return out;
   }
 
  private:
@@ -51,27 +52,24 @@ struct BlinnNewell : StartsInClipSpace<BlinnNewell> {
   template <Scalar T, int K>
   using BoundedPolygon = VertexList<BoundedVertex<T, K>>;
 
-  // What is left comes back in one of the two lists, both empty before.
-  template <Scalar T, int K>
-  static constexpr const BoundedPolygon<T, K>& cut(const ClipVolume& volume,
-                                                   const ClipTriangle<T, K>& triangle,
-                                                   BoundedPolygon<T, K>& polygon,
-                                                   BoundedPolygon<T, K>& scratch) {
-    if (!has_finite_positions(triangle)) return polygon;
+  // f(rest): what is left of a triangle that isn't rejected.
+  template <Scalar T, int K, class F>
+  static constexpr void cut_and_then(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
+                                     F&& f) {
+    if (!has_finite_positions(triangle)) return;
     std::array<BoundedVertex<T, K>, 3> vertices;
-    for (std::size_t i = 0; i < 3; ++i) {
-      vertices[i] = bounded(volume, triangle[i]);
-    }
+    for (std::size_t i = 0; i < 3; ++i) vertices[i] = bounded(volume, triangle[i]);
     const OutcodeSummary code =
         summarize_outcodes(volume, triangle, [&](std::size_t i) { return outcode(vertices[i]); });
-    if (code.all != 0) return polygon;
+    if (code.all != 0) return;
+    BoundedPolygon<T, K> polygon, scratch;
     polygon.assign(vertices);
-    return cut_by_planes(
+    f(cut_by_planes(
         polygon, scratch, code.any, kAllPlanes,
         [](Plane plane, const BoundedVertex<T, K>& v) {
           return v.boundary[static_cast<std::size_t>(plane)];
         },
-        meet<T, K>);
+        meet<T, K>));
   }
 
   template <Scalar T, int K>

@@ -2,8 +2,9 @@
 //
 // Cohen-Sutherland for segments in clip space, with 6-bit outcodes, before the divide.
 //
-// Source: Cohen and Sutherland, in Newman and Sproull, "Principles of Interactive Computer Graphics",
-// 1973; homogeneous: Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978.
+// Source: Cohen and Sutherland, in Newman and Sproull, "Principles of Interactive Computer
+// Graphics", 1973; homogeneous: Blinn and Newell, "Clipping Using Homogeneous Coordinates",
+// SIGGRAPH 1978.
 // Guarantees: as cohen_sutherland.hpp.
 // Does not guarantee: coordinates within the volume to the last bit after the divide.
 #pragma once

@@ -14,9 +14,7 @@ template <class Vertices, Scalar T, int K>
 constexpr void divide(const Vertices& in, NdcPolygon<T, K>& out) {
   out.clear();
   for (const ClipVertex<T, K>& v : in) {
-    if (T(0) < v.position[3]) {
-      out.push_back(to_ndc(v));
-    }
+    if (T(0) < v.position[3]) out.push_back(to_ndc(v));
   }
   out.drop_if_degenerate();
   clear_if_overflowed(out);

@@ -3,13 +3,14 @@
 // Near and far planes in clip space and a guard band at the sides; the rest is left to scissoring.
 //
 // A side is cut in clip space only where a triangle leaves the guard band |x|, |y| <= 16 w, which a
-// rasteriser with 16 bits of integer pixels has at 4K. What reaches into the band is scissored after the
-// divide: here by Sutherland-Hodgman in the window, so that the contract's polygon comes out.
+// rasteriser with 16 bits of integer pixels has at 4K. What reaches into the band is scissored
+// after the divide: here by Sutherland-Hodgman in the window, so that the contract's polygon comes
+// out.
 // Source: Giesen, "A trip through the Graphics Pipeline 2011, part 5", 2011; Microsoft, Direct3D 9
 // documentation of D3DCAPS9::GuardBandLeft.
 // Does not guarantee: an error independent of depth: scissored vertices are interpolated after the
-// divide, where errors grow with w_max / w_min. Clip-space triangles that no projection makes are cut
-// by the band to w >= 0, but w_max / w_min is then unbounded.
+// divide, where errors grow with w_max / w_min. Clip-space triangles that no projection makes are
+// cut by the band to w >= 0, but w_max / w_min is then unbounded.
 #pragma once
 
 #include <utility>

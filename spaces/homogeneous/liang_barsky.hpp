@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Liang-Barsky for segments in clip space, before the divide: classical, and with division-free tests.
+// Liang-Barsky for segments in clip space, before the divide: classical, and with division-free
+// tests.
 //
-// Source: Liang and Barsky, "A New Concept and Method for Line Clipping", ACM TOG 3(1), 1984; Blinn, "A
-// Trip Down the Graphics Pipeline: Line Clipping", IEEE CG&A 11(1), 1991.
+// Source: Liang and Barsky, "A New Concept and Method for Line Clipping", ACM TOG 3(1), 1984;
+// Blinn, "A Trip Down the Graphics Pipeline: Line Clipping", IEEE CG&A 11(1), 1991.
 // Guarantees: as liang_barsky.hpp.
 // Does not guarantee: coordinates within the volume to the last bit after the divide.
 #pragma once

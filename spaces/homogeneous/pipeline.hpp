@@ -2,12 +2,13 @@
 //
 // Sutherland-Hodgman as a streaming pipeline: one stage per plane, each holding two vertices.
 //
-// A vertex goes through as many stages as it can at once; no polygon is stored between them, as in a
-// hardware clipper. Every plane has its stage, whether the triangle crosses it or not.
-// Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974, which describes it
-// so; in silicon: Clark, "The Geometry Engine: A VLSI Geometry System for Graphics", SIGGRAPH 1982.
-// Guarantees: the vertices on an edge depend on that edge alone, bit for bit: every edge meets the same
-// stages in the same order, and is cut from its inside end.
+// A vertex goes through as many stages as it can at once; no polygon is stored between them, as in
+// a hardware clipper. Every plane has its stage, whether the triangle crosses it or not.
+// Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974, which describes
+// it so; in silicon: Clark, "The Geometry Engine: A VLSI Geometry System for Graphics", SIGGRAPH
+// 1982.
+// Guarantees: the vertices on an edge depend on that edge alone, bit for bit: every edge meets the
+// same stages in the same order, and is cut from its inside end.
 // Does not guarantee: the exact vertex count where a vertex comes within rounding of a plane.
 #pragma once
 

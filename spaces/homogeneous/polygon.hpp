@@ -4,14 +4,14 @@
 //
 // The caller owns the memory: vectors that grow to the largest polygon met and keep what they have.
 // Nothing else is allocated.
-// Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974; homogeneous: Blinn and
-// Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978.
-// Guarantees: for three vertices the same bits as homogeneous/sutherland_hodgman: the same outcodes, the
-// same planes in the same order, the same arithmetic.
-// Pre-condition: the polygon is planar and convex. Of a concave one the parts left are joined along the
-// planes, as Sutherland and Hodgman describe; triangulate it first.
-// Does not guarantee: coordinates within the volume to the last bit after the divide; the exact vertex
-// count where a vertex comes within rounding of a plane.
+// Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974; homogeneous:
+// Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978.
+// Guarantees: for three vertices the same bits as homogeneous/sutherland_hodgman: the same
+// outcodes, the same planes in the same order, the same arithmetic.
+// Pre-condition: the polygon is planar and convex. The parts left of a concave one are joined
+// along the planes, as Sutherland and Hodgman describe; triangulate it first.
+// Does not guarantee: coordinates within the volume to the last bit after the divide; the exact
+// vertex count where a vertex comes within rounding of a plane.
 #pragma once
 
 #include <span>
@@ -32,8 +32,8 @@ class HomogeneousPolygonClipper {
       "Sutherland and Hodgman, Reentrant Polygon Clipping, 1974";
   static constexpr Promise promise{.ulps = kChainUlps};
 
-  // The part of the polygon in the volume, divided, in the polygon's winding; empty if that has fewer
-  // than three vertices. Valid until the next call. Policy for NaN and infinity: clipper.hpp.
+  // The part of the polygon in the volume, divided, in the polygon's winding; empty if that has
+  // fewer than three vertices. Valid until the next call. Policy for NaN and infinity: clipper.hpp.
   std::span<const NdcVertex<T, K>> operator()(const ClipVolume& volume,
                                               std::span<const ClipVertex<T, K>> polygon) {
     divided_.clear();

@@ -2,18 +2,18 @@
 //
 // Sutherland-Hodgman in homogeneous clip space, before the divide, driven by outcodes.
 //
-// Outcodes accept what is inside and reject what is outside one plane without computing anything; the
-// rest is cut by just the planes that some vertex is outside of. Two policies: the order of the
+// Outcodes accept what is inside and reject what is outside one plane without computing anything;
+// the rest is cut by just the planes that some vertex is outside of. Two policies: the order of the
 // planes, and an extra plane w >= epsilon in front of the others, as many renderers have it so that
 // nothing is ever divided by zero.
-// Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974; outcodes: Cohen and
-// Sutherland, in Newman and Sproull, "Principles of Interactive Computer Graphics", 1973; homogeneous:
-// Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978; a w-plane
+// Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974; outcodes: Cohen
+// and Sutherland, in Newman and Sproull, "Principles of Interactive Computer Graphics", 1973;
+// homogeneous: Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978; a w-plane
 // of 1e-5: practice of software renderers; of 1/16384: Skia (kW0PlaneDistance).
-// Does not guarantee: coordinates within the volume to the last bit after the divide; the exact vertex
-// count where a vertex comes within rounding of a plane; equal bits on a shared edge of neighbours that
-// are cut by different planes. A w-plane with epsilon > 0 loses what is nearer to the eye than that
-// and makes the result depend on the scale of homogeneous coordinates.
+// Does not guarantee: coordinates within the volume to the last bit after the divide; the exact
+// vertex count where a vertex comes within rounding of a plane; equal bits on a shared edge of
+// neighbours that are cut by different planes. A w-plane with epsilon > 0 loses what is nearer to
+// the eye than that and makes the result depend on the scale of homogeneous coordinates.
 #pragma once
 
 #include <limits>
@@ -106,10 +106,10 @@ struct HomogeneousSutherlandHodgmanWith
     const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
       return clip_outcode(volume.depth, triangle[i].position);
     });
-    if (code.all != 0) return {};
+    ClipPolygon<T, K> polygon, scratch;
+    if (code.all != 0) return polygon;  // not {}, which would write zeros all over it
     const std::array positions = {triangle[0].position, triangle[1].position, triangle[2].position};
     if (code.any == 0 && !is_behind_w_plane(positions)) return divisible<T, K>(triangle);
-    ClipPolygon<T, K> polygon, scratch;
     polygon.assign(triangle);
     return divisible<T, K>(cut(volume, code.any, polygon, scratch));
   }

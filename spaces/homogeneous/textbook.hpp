@@ -6,7 +6,8 @@
 // plane, no outcodes, edges interpolated in the order in which they are walked.
 // Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974, in homogeneous
 // coordinates: Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978.
-// Does not guarantee: equal bits on shared edges (the two neighbours walk them in opposite directions).
+// Does not guarantee: equal bits on shared edges (the two neighbours walk them in opposite
+// directions).
 #pragma once
 
 #include <array>
@@ -21,8 +22,7 @@ namespace clipscope {
 struct Textbook : StartsInClipSpace<Textbook> {
   static constexpr std::string_view name = "textbook";
   static constexpr std::string_view summary =
-      "Sutherland-Hodgman over six plane vectors, dynamic arrays copied at each plane (the "
-      "baseline)";
+      "Sutherland-Hodgman over six plane vectors, dynamic arrays copied at each plane (the baseline)";
   static constexpr std::string_view source =
       "Sutherland and Hodgman, Reentrant Polygon Clipping, 1974";
   // A clip distance is a seventh plane and so on; it has no plane vector.
@@ -85,9 +85,7 @@ struct Textbook : StartsInClipSpace<Textbook> {
       const T d_next = distance(next);
       const bool current_inside = T(0) <= d_current;
       const bool next_inside = T(0) <= d_next;
-      if (current_inside) {
-        output.push_back(current);
-      }
+      if (current_inside) output.push_back(current);
       if (current_inside != next_inside) {
         const T t = d_current / (d_current - d_next);
         output.push_back(interpolate(current, next, t));

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Clipping of points that are drawn as squares of a size, with both answers that are legal at the sides.
+// Clipping of points that are drawn as squares of a size, with both answers that are legal at the
+// sides.
 //
 //   point/pop       a point whose centre is outside any plane vanishes, its whole square with it
-//   point/pop_free  near, far and clip distances ask about the centre; at the sides a point stays as
-//                   long as its square, grown from the centre, touches the volume
+//   point/pop_free  near, far and clip distances ask about the centre; at the sides a point stays
+//                   as long as its square, grown from the centre, touches the volume
 //
-// Source: pop: The Khronos Group, "OpenGL 4.6 Core Profile Specification", section 13.7, and Vulkan's
-// pointClippingBehavior ALL_CLIP_PLANES; pop-free: OpenGL ES 3.2, "Primitive Clipping" (only near and
-// far discard points), and WebGL 1.0, "Wide point primitive clipping", which allows either.
-// Guarantees: nothing is computed for a point whose centre is inside the sides. A point of size 0 is
-// treated alike by both.
-// Does not guarantee: that a pixel of the square is covered; only that the closed square and the closed
-// volume meet, up to rounding.
+// Source: pop: The Khronos Group, "OpenGL 4.6 Core Profile Specification", section 13.7, and
+// Vulkan's pointClippingBehavior ALL_CLIP_PLANES; pop-free: OpenGL ES 3.2, "Primitive Clipping"
+// (only near and far discard points), and WebGL 1.0, "Wide point primitive clipping", which allows
+// either.
+// Guarantees: nothing is computed for a point whose centre is inside the sides. A point of size 0
+// is treated alike by both.
+// Does not guarantee: that a pixel of the square is covered; only that the closed square and the
+// closed volume meet, up to rounding.
 #pragma once
 
 #include "spaces/clipper.hpp"
@@ -26,8 +28,8 @@ struct PointSize {
   T half_width = T(0), half_height = T(0);
 };
 
-// A square of size_px in a viewport of width_px times height_px. NDC is 2 wide: half of the size times
-// 2 / width.
+// A square of size_px in a viewport of width_px times height_px. NDC is 2 wide: half of the size
+// times 2 / width.
 template <Scalar T>
 constexpr PointSize<T> point_size_ndc(const T& size_px, const T& width_px, const T& height_px) {
   const T half_width = size_px / width_px;
@@ -47,7 +49,7 @@ struct PointClipper {
   static constexpr std::string_view source =
       kPops ? "OpenGL 4.6 Core Profile Specification, section 13.7"
             : "OpenGL ES 3.2 Specification, Primitive Clipping";
-  // Of points of size 0; the centre of a larger one may lie outside the sides.
+  // The promise is about points of size 0; the centre of a larger one may lie outside the sides.
   static constexpr Promise promise{.ulps = kProjectUlps, .watertight = true};
 
   // out: no vertex, or the centre, divided.

@@ -2,14 +2,14 @@
 //
 // Cyrus-Beck for segments in view space, against the frustum planes, before the projection.
 //
-// Every plane of a convex volume gives the parameter where the segment's line crosses it; the largest of
-// those where it enters and the smallest of those where it leaves bound what is visible. All planes are
-// visited and divided for; whether anything is visible is asked once, at the end.
-// Source: Cyrus and Beck, "Generalized Two- and Three-Dimensional Clipping", Computers & Graphics 3(1),
-// 1978.
-// Parameters are measured from the end that is kept, so a segment and its reverse give the same bits.
-// Does not guarantee: NDC coordinates within [-1, 1]: a new end lies on its plane in view space up to
-// rounding, and is rounded again by the projection and the divide.
+// Every plane of a convex volume gives the parameter where the segment's line crosses it; the
+// largest of those where it enters and the smallest of those where it leaves bound what is visible.
+// All planes are visited and divided for; whether anything is visible is asked once, at the end.
+// Source: Cyrus and Beck, "Generalized Two- and Three-Dimensional Clipping", Computers & Graphics
+// 3(1), 1978.
+// Parameters are measured from the end that is kept, so a segment and its reverse give the same
+// bits. Does not guarantee: NDC coordinates within [-1, 1]: a new end lies on its plane in view
+// space up to rounding, and is rounded again by the projection and the divide.
 #pragma once
 
 #include "spaces/segment.hpp"

@@ -2,20 +2,20 @@
 //
 // Sutherland-Hodgman in view space, before the projection, against the six frustum planes.
 //
-// Outcodes accept, reject and choose the planes. What is left is projected and divided. The policy is
-// how a distance to a plane is computed:
+// Outcodes accept, reject and choose the planes. What is left is projected and divided. The policy
+// is how a distance to a plane is computed:
 //
-//   view/sutherland_hodgman  the unnormalised forms n x + l z and their kin: two products, no square
-//                            root, so that every scalar can compute them
-//   view/exact_sign          the same forms from exact products, so that the input's vertices are always
-//                            on the right side of the side planes of a perspective frustum
-//   view/unit_normals        planes with normals of length 1, the way textbooks have them; for scalars
-//                            with a square root
+//   view/sutherland_hodgman  the unnormalised forms n x + l z and their kin: two products, no
+//                            square root, so that every scalar can compute them
+//   view/exact_sign          the same forms from exact products, so that the input's vertices are
+//                            always on the right side of the side planes of a perspective frustum
+//   view/unit_normals        planes with normals of length 1, the way textbooks have them; for
+//                            scalars with a square root
 //
 // Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974.
-// Does not guarantee: NDC coordinates within [-1, 1]: a new vertex lies on its plane in view space up
-// to rounding, and is rounded again by the projection and the divide. The unit normals are rounded, and
-// then the planes of the volume are not quite those of the projection.
+// Does not guarantee: NDC coordinates within [-1, 1]: a new vertex lies on its plane in view space
+// up to rounding, and is rounded again by the projection and the divide. The unit normals are
+// rounded, and then the planes of the volume are not quite those of the projection.
 #pragma once
 
 #include "spaces/clipper.hpp"
@@ -56,9 +56,7 @@ struct ViewSutherlandHodgmanWith {
                             NdcPolygon<T, K>& out) const {
     const OutcodeSummary code = outcodes(projection, triangle);
     out.clear();
-    if (code.all != 0) {
-      return;
-    }
+    if (code.all != 0) return;
     if (code.any == 0) {
       project(projection, triangle, out);
     } else if (has_finite_positions(triangle)) {
@@ -73,15 +71,13 @@ struct ViewSutherlandHodgmanWith {
   static constexpr ViewPolygon<T, K> cut(const Projection<T>& projection,
                                          const ViewTriangle<T, K>& triangle) {
     const OutcodeSummary code = outcodes(projection, triangle);
-    ViewPolygon<T, K> out;
+    ViewPolygon<T, K> out, scratch;
     if (code.all != 0 || !has_finite_positions(triangle)) return out;
-    ViewPolygon<T, K> polygon, scratch;
-    polygon.assign(triangle);
+    out.assign(triangle);
+    const ViewPolygon<T, K>& left = cut_planes(projection, code.any, out, scratch);
+    if (&left != &out) out = left;
     bool finite = true;
-    for (const ViewVertex<T, K>& v : cut_planes(projection, code.any, polygon, scratch)) {
-      finite = finite && has_finite_position(v);
-      out.push_back(v);
-    }
+    for (const ViewVertex<T, K>& v : out) finite = finite && has_finite_position(v);
     if (!finite) out.clear();
     out.drop_if_degenerate();
     return out;
@@ -111,9 +107,7 @@ struct ViewSutherlandHodgmanWith {
   static constexpr Outcode position_outcode(const Projection<T>& projection, const Vec3<T>& v) {
     Outcode code = 0;
     for (const Plane plane : kAllPlanes) {
-      if (!(T(0) <= distance(projection, plane, v))) {
-        code |= bit(plane);
-      }
+      if (!(T(0) <= distance(projection, plane, v))) code |= bit(plane);
     }
     return code;
   }
@@ -135,9 +129,7 @@ struct ViewSutherlandHodgmanWith {
                                 NdcPolygon<T, K>& out) {
     for (const ViewVertex<T, K>& v : vertices) {
       const ClipVertex<T, K> clip = to_clip(projection, v);
-      if (T(0) < clip.position[3] && is_finite(clip.position[3])) {
-        out.push_back(to_ndc(clip));
-      }
+      if (T(0) < clip.position[3] && is_finite(clip.position[3])) out.push_back(to_ndc(clip));
     }
     out.drop_if_degenerate();
     clear_if_overflowed(out);

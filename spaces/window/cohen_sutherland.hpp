@@ -2,8 +2,8 @@
 //
 // Cohen-Sutherland for segments in the window, with 4-bit outcodes: in the plane, and as a clipper.
 //
-// Source: Cohen and Sutherland, in Newman and Sproull, "Principles of Interactive Computer Graphics",
-// 1973, section 5.1.
+// Source: Cohen and Sutherland, in Newman and Sproull, "Principles of Interactive Computer
+// Graphics", 1973, section 5.1.
 // Guarantees: as cohen_sutherland.hpp; no new point lies outside the side that made it.
 // Does not guarantee (the clipper): an answer where w <= 0 is left after the cut by near and far.
 #pragma once

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Liang-Barsky for segments in the window, classical and division-free: in the plane, and as clippers.
+// Liang-Barsky for segments in the window, classical and division-free: in the plane, and as
+// clippers.
 //
 // Source: Liang and Barsky, "A New Concept and Method for Line Clipping", ACM TOG 3(1), 1984.
 // Guarantees: as liang_barsky.hpp; no new point lies outside the side that made it.

@@ -2,18 +2,18 @@
 //
 // Nicholl, Lee and Nicholl's segment clipper: in the plane, and as a clipper in the window.
 //
-// Where the first end lies (inside, beyond one side, beyond a corner) and where the second end lies as
-// seen from there, between the lines to the corners, names the sides that are crossed before any
-// intersection is computed. The symmetric cases are one case here, written for the sides that the ends
-// are beyond instead of for left and top. On which side of a corner the second end lies is the sign
-// of the determinant of distances in binding_plane.hpp.
-// Source: Nicholl, Lee and Nicholl, "An Efficient New Algorithm for 2-D Line Clipping: Its Development
-// and Analysis", SIGGRAPH 1987.
+// Where the first end lies (inside, beyond one side, beyond a corner) and where the second end lies
+// as seen from there, between the lines to the corners, names the sides that are crossed before any
+// intersection is computed. The symmetric cases are one case here, written for the sides that the
+// ends are beyond instead of for left and top. On which side of a corner the second end lies is the
+// sign of the determinant of distances in binding_plane.hpp.
+// Source: Nicholl, Lee and Nicholl, "An Efficient New Algorithm for 2-D Line Clipping: Its
+// Development and Analysis", SIGGRAPH 1987.
 // Guarantees: no division but one for each end that is moved, and no comparison of sides that the
 // segment can't cross.
-// Does not guarantee: the same answer for a segment and its reverse where it passes within rounding of a
-// corner: the two ask about different corners. (The clipper:) an answer where w <= 0 is left after
-// the cut by near and far.
+// Does not guarantee: the same answer for a segment and its reverse where it passes within rounding
+// of a corner: the two ask about different corners. (The clipper:) an answer where w <= 0 is left
+// after the cut by near and far.
 #pragma once
 
 #include <bit>
@@ -24,7 +24,8 @@
 namespace clipscope {
 
 struct NichollLeeNicholl {
-  // The part of the segment that is inside, or none. Only for spaces whose planes are the four sides.
+  // The part of the segment that is inside, or none. Only for spaces whose planes are the four
+  // sides.
   template <SegmentSpace S>
   constexpr std::optional<SegmentIn<S>> operator()(const S& space,
                                                    const SegmentIn<S>& segment) const {
@@ -52,9 +53,9 @@ struct NichollLeeNicholl {
       const Region from = region(first, 0);
       const Region to = region(second, 1);
       if (from.missed || to.missed) return std::nullopt;
-      // From beyond a corner the segment comes in by the side that it crosses later. It can miss the
-      // window then only by crossing one of the other axis's sides too early: the opposite side of its
-      // own axis comes after.
+      // From beyond a corner the segment comes in by the side that it crosses later. It can miss
+      // the window then only by crossing one of the other axis's sides too early: the opposite side
+      // of its own axis comes after.
       const Binding in = tighter(from.x, from.y);
       const bool in_by_x = from.x.binds && in.plane == from.x.plane;
       if (!is_visible(in, in_by_x ? to.y : to.x)) return std::nullopt;

@@ -51,7 +51,7 @@ constexpr T side_distance(const Rectangle<T>& r, Plane side, const Point& p) {
   return side_coordinate(r, side) - p[axis];
 }
 
-// By comparisons alone. A NaN is outside of both sides of its axis.
+// Compares and computes nothing. A NaN is outside of both sides of its axis.
 template <Scalar T, class Point>
 constexpr Outcode side_outcode(const Rectangle<T>& r, const Point& p) {
   return static_cast<Outcode>(!(r.left <= p[0])) << 0 |
@@ -117,8 +117,8 @@ class WindowSegmentSpace {
 
 namespace window {
 
-// The part of a segment of the plane that is in the rectangle, in the order of the segment; none if at
-// most a point is, or if a coordinate is not finite.
+// The part of a segment of the plane that is in the rectangle, in the order of the segment; none if
+// at most a point is, or if a coordinate is not finite.
 template <class Method, Scalar T>
 constexpr std::optional<Segment2<T>> clip(const Method& method, const Rectangle<T>& rectangle,
                                           const Segment2<T>& segment) {

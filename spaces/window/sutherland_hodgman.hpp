@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Sutherland-Hodgman for polygons in the window: x and y against the sides of a rectangle, in place.
+// Sutherland-Hodgman for polygons in the window: x and y against the sides of a rectangle, in
+// place.
 //
-// Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974. Attributes: Blinn,
-// "Hyperbolic Interpolation", IEEE CG&A 12(4), 1992.
-// Guarantees: only sides that some vertex is outside of cut; on a polygon inside nothing is computed.
-// Does not guarantee: that a new vertex (of a polygon in NDC) lies on its side to the last bit.
+// Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974. Attributes:
+// Blinn, "Hyperbolic Interpolation", IEEE CG&A 12(4), 1992.
+// Guarantees: only sides that some vertex is outside of cut; on a polygon inside nothing is
+// computed. Does not guarantee: that a new vertex (of a polygon in NDC) lies on its side to the
+// last bit.
 #pragma once
 
 #include "spaces/cut.hpp"
@@ -13,8 +15,8 @@
 
 namespace clipscope::window {
 
-// Cuts a divided polygon by the four sides, with perspective-correct depth, 1/w and attributes. Fewer
-// than three vertices are nothing. Pre-condition: w > 0 at every vertex.
+// Cuts a divided polygon by the four sides, with perspective-correct depth, 1/w and attributes.
+// Fewer than three vertices are nothing. Pre-condition: w > 0 at every vertex.
 template <Scalar T, int K>
 constexpr void cut_sides(const Rectangle<T>& rectangle, NdcPolygon<T, K>& polygon) {
   Outcode all = kSidePlanes;

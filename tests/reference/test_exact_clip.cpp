@@ -103,9 +103,7 @@ TEST_CASE("reference: a triangle in a plane of the volume is inside") {
 TEST_CASE("reference: a triangle that covers the volume yields its cross-section") {
   const ExactPolygon p = clip(kClip, triangle({-8, -8, 0, 1}, {8, -8, 0, 1}, {0, 16, 0, 1}));
   std::vector<std::array<Rational, 2>> corners;
-  for (const ExactVertex& v : p.vertices) {
-    corners.push_back({to_rational(v.x), to_rational(v.y)});
-  }
+  for (const ExactVertex& v : p.vertices) corners.push_back({to_rational(v.x), to_rational(v.y)});
   std::sort(corners.begin(), corners.end());
   CHECK(corners == std::vector<std::array<Rational, 2>>{{-1, -1}, {-1, 1}, {1, -1}, {1, 1}});
 }
@@ -155,9 +153,7 @@ TEST_CASE("reference: scaling by a power of two changes nothing but 1/w") {
   };
   std::vector<RationalVertex> expected = vertex_set(clip(kClip, triangle(a, b, c)));
   REQUIRE(expected.size() >= 3);
-  for (RationalVertex& v : expected) {
-    v.inv_w /= to_rational(s);
-  }
+  for (RationalVertex& v : expected) v.inv_w /= to_rational(s);
   CHECK(vertex_set(clip(kClip, triangle(scaled(a), scaled(b), scaled(c)))) == sorted(expected));
 }
 

@@ -51,7 +51,7 @@ TEST_CASE("fraction: float ties are rounded to even, not twice") {
   const double tie = 1 + 0x1p-24;  // between 1 and 1 + 2^-23
   CHECK(round_to<float>(fraction(tie)) == 1.0f);
   CHECK(round_to<float>(fraction(1 + 3 * 0x1p-24)) == 1.0f + 0x1p-22f);
-  // By way of the nearest double this would be the tie.
+  // Rounded to the nearest double first, this would be the tie.
   CHECK(round_to<float>(sum(tie, 0x1p-80)) == 1.0f + 0x1p-23f);
   CHECK(round_to<float>(sum(tie, -0x1p-80)) == 1.0f);
 }
@@ -89,9 +89,7 @@ TEST_CASE("fraction: rounding agrees with the processor's division") {
   for (int i = 0; i < 20000; ++i) {
     const double a = std::ldexp(significand(random), std::min(exponent(random), 1020));
     const double b = std::ldexp(std::abs(significand(random)), std::min(exponent(random), 1020));
-    if (b == 0) {
-      continue;
-    }
+    if (b == 0) continue;
     const double quotient = a / b;
     CAPTURE(a, b);
     REQUIRE(round_to<double>(fraction(a, b)) == quotient);

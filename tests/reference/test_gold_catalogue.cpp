@@ -21,9 +21,7 @@ std::vector<reference::RationalVertex> gold(const HardCase& hard_case) {
 TEST_CASE("reference: equals gold on every triangle of the catalogue that has an area") {
   int compared = 0, without_area = 0;
   for (const HardCase& hard_case : builtin_catalogue()) {
-    if (hard_case.primitive != Primitive::triangle) {
-      continue;
-    }
+    if (hard_case.primitive != Primitive::triangle) continue;
     std::vector<reference::RationalVertex> expected;
     try {
       expected = gold(hard_case);

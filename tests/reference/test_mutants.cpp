@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Would ten small cases notice a bug? See mutants.hpp; the catalogue of hard cases is asked the same in
-// tests/experiments/catalogue/test_mutation_table.cpp.
+// Would ten small cases notice a bug? See mutants.hpp; the catalogue of hard cases is asked the
+// same in tests/experiments/hard_cases/test_rows.cpp.
 #include <cmath>
 #include <random>
 #include <string>
@@ -94,9 +94,7 @@ TEST_CASE("mutants: the textbook clipper without a bug equals the reference") {
     std::array<Position, 3> p;
     for (Position& q : p) {
       const double scale = i % 2 == 0 ? 1 : std::ldexp(1.0, exponent(random));
-      for (double& c : q) {
-        c = coordinate(random) * scale;
-      }
+      for (double& c : q) c = coordinate(random) * scale;
     }
     const InputTriangle t = triangle(p[0], p[1], p[2]);
     CAPTURE(p);

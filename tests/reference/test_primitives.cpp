@@ -97,9 +97,7 @@ TEST_CASE("reference: a square on its corner becomes an octagon") {
   const double a = 1.5;
   const ExactPolygon p = clipped(kClip, {{a, 0, 0, 1}, {0, a, 0, 1}, {-a, 0, 0, 1}, {0, -a, 0, 1}});
   CHECK(p.vertices.size() == 8);
-  for (const auto& v : positions_of(p)) {
-    CHECK(abs(v[0]) + abs(v[1]) == ratio(3, 2));
-  }
+  for (const auto& v : positions_of(p)) CHECK(abs(v[0]) + abs(v[1]) == ratio(3, 2));
 }
 
 TEST_CASE("reference: a triangle given as vertices or as a triangle is the same") {
@@ -113,13 +111,9 @@ TEST_CASE("reference: a square and its two halves meet the same planes at the sa
   REQUIRE(is_planar_convex(vertices(p), 0));
   Positions whole = positions_of(clipped(kClip, p));
   Positions halves = positions_of(clipped(kClip, {p[0], p[1], p[2]}));
-  for (const auto& v : positions_of(clipped(kClip, {p[0], p[2], p[3]}))) {
-    halves.push_back(v);
-  }
+  for (const auto& v : positions_of(clipped(kClip, {p[0], p[2], p[3]}))) halves.push_back(v);
   REQUIRE(whole.size() >= 4);
-  for (const auto& v : whole) {
-    CHECK(std::find(halves.begin(), halves.end(), v) != halves.end());
-  }
+  for (const auto& v : whole) CHECK(std::find(halves.begin(), halves.end(), v) != halves.end());
 }
 
 // With the last two exchanged it crosses itself where w = 0.

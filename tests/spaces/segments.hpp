@@ -12,8 +12,8 @@ namespace clipscope::tests {
 
 using Ends = std::array<std::array<double, 4>, 2>;
 
-// Attribute 0 is 1 at the first end and 0 at the second, attribute 1 the other way round; attribute 2 is 2 and
-// -1, unless given.
+// Attribute 0 is 1 at the first end and 0 at the second, attribute 1 the other way round; attribute
+// 2 is 2 and -1, unless given.
 template <Scalar T>
 ClipSegment<T, K> clip_segment(const Ends& ends, const std::array<double, 2>& attribute = {2, -1}) {
   using experiments::scalar_from;
@@ -54,8 +54,8 @@ S reversed(const S& segment) {
   return {segment[1], segment[0]};
 }
 
-// The parameters, from the first end, between which every distance is at least `margin`; none if that
-// leaves a point at most.
+// The parameters, from the first end, between which every distance is at least `margin`; none if
+// that leaves a point at most.
 template <class N>
 struct Interval {
   N from = N(0), to = N(1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the tests and scenes take for granted of the compiler: that a rounding that is written is done.
+// What the tests and scenes take for granted of the compiler: that a rounding that is written is
+// done.
 #include <array>
 #include <cstddef>
 

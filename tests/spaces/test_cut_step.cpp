@@ -114,7 +114,7 @@ TEST_CASE("cut step: the divided polygon has the bits of the clipper's answer") 
   for_each_type(AllClippers{}, [&]<class C>() {
     for_each_type(Floats{}, [&]<class T>() {
       if constexpr (CutsInClipSpace<C, T, K> && !C::promise.correctly_rounded) {
-        INFO(C::name << " in " << experiments::ScalarTraits<T>::name);
+        INFO(C::name << " in " << experiments::kFormat<T>.name);
         std::mt19937_64 random(1);
         int drawn = 0;
         for (int i = 0; i < 3000; ++i) {
@@ -135,7 +135,7 @@ TEST_CASE("cut step: vertices are finite and in front of the eye, three or more"
   for_each_type(AllClippers{}, [&]<class C>() {
     for_each_type(Floats{}, [&]<class T>() {
       if constexpr (CutsInClipSpace<C, T, K>) {
-        INFO(C::name << " in " << experiments::ScalarTraits<T>::name);
+        INFO(C::name << " in " << experiments::kFormat<T>.name);
         std::mt19937_64 random(2);
         for (int i = 0; i < 3000; ++i) {
           const ClipTriangle<T, K> triangle =
@@ -157,7 +157,7 @@ TEST_CASE("cut step: in exact arithmetic the distance matrix's, divided, is its 
     const ClipTriangle<Exact, K> triangle = clip_triangle<Exact>(lattice_corners(random));
     NdcPolygon<Exact, K> divided;
     divide(DistanceMatrix::cut({}, triangle), divided);
-    CHECK(same_up_to_rotation(divided, clip<DistanceMatrix>(triangle)));
+    CHECK(same_cycle(divided, clip<DistanceMatrix>(triangle)));
   }
 }
 
@@ -165,7 +165,7 @@ TEST_CASE("cut step: in view space the polygon, projected and divided, has the a
   for_each_type(AllClippers{}, [&]<class C>() {
     for_each_type(Floats{}, [&]<class T>() {
       if constexpr (CutsInViewSpace<C, T, K>) {
-        INFO(C::name << " in " << experiments::ScalarTraits<T>::name);
+        INFO(C::name << " in " << experiments::kFormat<T>.name);
         const Projection<T> projection(Frustum<T>{});
         std::mt19937_64 random(4);
         int drawn = 0;

@@ -8,34 +8,24 @@
 #include <set>
 
 #include "tests/catch.hpp"
-#include "tests/spaces/triangles.hpp"
+#include "tests/spaces/clippers.hpp"
 
 using namespace clipscope;
 using namespace clipscope::tests;
-using experiments::AllScalars;
 using experiments::for_each_type;
-using experiments::ScalarTraits;
 
 namespace {
 
-template <class C, class T>
-NdcPolygon<T, K> clip_view(const ViewTriangle<T, K>& triangle, const Frustum<T>& frustum = {}) {
-  NdcPolygon<T, K> out;
-  C{}(Projection<T>(frustum), triangle, out);
-  return out;
-}
-
-// Runs f.operator()<C, T>() for the clippers that start at clip coordinates, in the binary formats.
+// Calls f(clipper) for the clippers that start at clip coordinates, in the binary formats.
 template <class F>
 void for_clip_space(F&& f) {
-  for_every<AllClippers>([&]<class C, class T>() {
-    if constexpr (ClipsClipSpace<C, T, K> && std::floating_point<T>) {
-      f.template operator()<C, T>();
-    }
+  for_every_clipper<TypeList<float, double>>([&](const auto& clip) {
+    if (clip.takes_clip_space()) f(clip);
   });
 }
 
-// Corners that make trouble in turn: anywhere, on a coarse lattice, near the planes, of wide exponents.
+// Corners that make trouble in turn: anywhere, on a coarse lattice, near the planes, of wide
+// exponents.
 Corners troublesome(std::mt19937_64& random, int n) {
   switch (n % 4) {
     case 0: return random_corners(random, 3);
@@ -73,8 +63,8 @@ bool is_total(const NdcPolygon<T, K>& polygon) {
   return !polygon.overflowed();
 }
 
-// The vertices on the edge from vertex 0 to vertex 1: positions and shares of the two. A vertex that any
-// computation with vertex 2 led to carries vertex 2's mark in its last attribute.
+// The vertices on the edge from vertex 0 to vertex 1: positions and shares of the two. A vertex
+// that any computation with vertex 2 led to carries vertex 2's mark in its last attribute.
 template <class T>
 using Edge = std::set<std::array<T, 6>>;
 
@@ -90,28 +80,31 @@ Edge<T> on_first_edge(const NdcPolygon<T, K>& polygon) {
   return edge;
 }
 
-// A NaN marks all that it touches, but a barycentric clipper multiplies it by 0 everywhere: its weight
-// of vertex 2 is exactly 0 on the edge, and 1 marks what has any.
-template <class C, class T>
-constexpr T kMark = C::name.starts_with("barycentric/") ? T(1)
-                                                        : std::numeric_limits<T>::quiet_NaN();
+// A NaN marks all that it touches, but a barycentric clipper multiplies it by 0 everywhere: its
+// weight of vertex 2 is exactly 0 on the edge, and 1 marks what has any.
+template <class T>
+T mark_for(const ClipperIn<T, 3>& clip) {
+  return clip.name.starts_with("barycentric/") ? T(1) : std::numeric_limits<T>::quiet_NaN();
+}
 
 // Whether triangles 0 1 2 and 1 0 3 have the same bits on the edge that they share.
-template <class C, class T>
-bool is_watertight(const Corners& corners, const std::array<double, 4>& fourth) {
+template <class T>
+bool is_watertight(const ClipperIn<T, 3>& clip, const Corners& corners,
+                   const std::array<double, 4>& fourth) {
   auto left = clip_triangle<T>(corners);
   auto right = clip_triangle<T>({corners[1], corners[0], fourth});
   std::swap(right[0].attributes, right[1].attributes);
-  left[2].attributes[2] = kMark<C, T>;
-  right[2].attributes[2] = kMark<C, T>;
-  const auto left_polygon = clip<C>(left);
-  const auto right_polygon = clip<C>(right);
+  left[2].attributes[2] = mark_for(clip);
+  right[2].attributes[2] = mark_for(clip);
+  const auto left_polygon = clip(left);
+  const auto right_polygon = clip(right);
   // A triangle that vanished as a whole has no edge to compare.
   return left_polygon.empty() || right_polygon.empty() ||
          on_first_edge(left_polygon) == on_first_edge(right_polygon);
 }
 
-// Where an edge lies in a plane, one side may keep nothing but the edge: no crack, but other vertices.
+// Where an edge lies in a plane, one side may keep nothing but the edge: no crack, but other
+// vertices.
 bool lies_in_a_plane(const Corners& corners) {
   const auto triangle = clip_triangle<double>(corners);
   return std::any_of(kAllPlanes.begin(), kAllPlanes.end(), [&](Plane plane) {
@@ -121,7 +114,8 @@ bool lies_in_a_plane(const Corners& corners) {
   });
 }
 
-// One end on the plane, the other an ulp inside of it: what lies between may be rounded to either side.
+// One end on the plane, the other an ulp inside of it: what lies between may be rounded to either
+// side.
 void lay_first_edge_along_the_top(Corners& corners) {
   for (std::size_t i = 0; i < 2; ++i) {
     corners[i][3] = static_cast<float>(std::abs(corners[i][3]) + 0.25);
@@ -151,14 +145,14 @@ TEST_CASE("promises: total clippers make no NaN and no infinite coordinate of fi
         }
       }
     }
-    for_each_type(AllClippers{}, [&]<class C>() {
-      INFO(C::name << " " << n);
-      if constexpr (ClipsClipSpace<C, float, K>) {
-        const auto out = clip<C>(clip_triangle<float>(corners));
-        if (!is_total(out)) FAIL("from clip space");
+    for (const auto& clip : clippers<float>()) {
+      if (clip.takes_clip_space() && !is_total(clip(clip_triangle<float>(corners)))) {
+        FAIL(clip.name << " " << n << " from clip space");
       }
-      if (!is_total(clip_view<C>(view_triangle<float>(corners)))) FAIL("from view space");
-    });
+      if (!is_total(clip(view_triangle<float>(corners)))) {
+        FAIL(clip.name << " " << n << " from view space");
+      }
+    }
   }
 }
 
@@ -173,13 +167,11 @@ TEST_CASE("promises: a position that is NaN or infinite yields nothing, whatever
     for (std::size_t c = 0; c < 4; ++c) {
       Corners corners = base;
       corners[vertex][c] = bad;
-      for_every<AllClippers>([&]<class C, class T>() {
+      for_every_clipper([&]<class T>(const ClipperIn<T, 3>& clip) {
         if constexpr (kHasInfinity<T>) {
           INFO("vertex " << vertex << " coordinate " << c << " = " << bad);
-          if constexpr (ClipsClipSpace<C, T, K>) {
-            CHECK(clip<C>(clip_triangle<T>(corners)).empty());
-          }
-          if (c < 3) CHECK(clip_view<C>(view_triangle<T>(corners)).empty());
+          if (clip.takes_clip_space()) CHECK(clip(clip_triangle<T>(corners)).empty());
+          if (c < 3) CHECK(clip(view_triangle<T>(corners)).empty());
         }
       });
     }
@@ -188,12 +180,12 @@ TEST_CASE("promises: a position that is NaN or infinite yields nothing, whatever
 
 TEST_CASE("promises: attributes are not looked at") {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  for_each_type(AllClippers{}, [&]<class C>() {
-    INFO(C::name);
-    auto triangle = view_triangle<float>({{{0, 0, -2, 0}, {0.5, 0, -2, 0}, {0, 0.5, -2, 0}}});
-    triangle[0].attributes[0] = kNan;
-    CHECK(clip_view<C>(triangle).size() == 3);
-  });
+  auto triangle = view_triangle<float>({{{0, 0, -2, 0}, {0.5, 0, -2, 0}, {0, 0.5, -2, 0}}});
+  triangle[0].attributes[0] = kNan;
+  for (const auto& clip : clippers<float>()) {
+    INFO(clip.name);
+    CHECK(clip(triangle).size() == 3);
+  }
 }
 
 TEST_CASE("promises: signed zeros and denormals are numbers like others") {
@@ -202,8 +194,9 @@ TEST_CASE("promises: signed zeros and denormals are numbers like others") {
     for (std::size_t c = 0; c < 3; ++c) {
       Corners corners = {{{-0.5, -0.5, -0.25, 1}, {0.5, -0.5, 0.25, 1}, {0.25, 0.5, 0.25, 1}}};
       corners[vertex][c] = tiny;
-      for_clip_space(
-          [&]<class C, class T>() { CHECK(clip<C>(clip_triangle<T>(corners)).size() == 3); });
+      for_clip_space([&]<class T>(const ClipperIn<T, 3>& clip) {
+        CHECK(clip(clip_triangle<T>(corners)).size() == 3);
+      });
     }
   }
 }
@@ -212,12 +205,11 @@ TEST_CASE("promises: where the first vertex is does not matter, to the bit") {
   std::mt19937_64 random(22);
   for (int n = 0; n < 2000; ++n) {
     const Corners corners = troublesome(random, n);
-    for_clip_space([&]<class C, class T>() {
-      if constexpr (C::promise.rotation_invariant) {
-        const auto a = clip_triangle<T>(corners);
-        const ClipTriangle<T, K> b = {a[1], a[2], a[0]};
-        if (!same_up_to_rotation(clip<C>(a), clip<C>(b))) FAIL(C::name << " " << n);
-      }
+    for_clip_space([&]<class T>(const ClipperIn<T, 3>& clip) {
+      if (!clip.promise.rotation_invariant) return;
+      const auto a = clip_triangle<T>(corners);
+      const auto first = clip(a), turned = clip(ClipTriangle<T, K>{a[1], a[2], a[0]});
+      CHECK(same_cycle<T>(first, turned));
     });
   }
 }
@@ -231,18 +223,13 @@ TEST_CASE("promises: homogeneous coordinates scaled by 2^k give the same picture
     for (auto& corner : scaled) {
       for (double& x : corner) x = std::ldexp(x, k);
     }
-    for_clip_space([&]<class C, class T>() {
-      if constexpr (C::promise.scale_invariant) {
-        INFO(n);
-        const auto a = clip<C>(clip_triangle<T>(corners));
-        const auto b = clip<C>(clip_triangle<T>(scaled));
-        REQUIRE(a.size() == b.size());
-        for (int v = 0; v < a.size(); ++v) {
-          auto expected = b[v];
-          expected.position[3] = std::ldexp(expected.position[3], k);
-          if (!same(a[v], expected)) FAIL(C::name);
-        }
+    for_clip_space([&]<class T>(const ClipperIn<T, 3>& clip) {
+      if (!clip.promise.scale_invariant) return;
+      auto expected = clip(clip_triangle<T>(scaled));
+      for (int v = 0; v < expected.size(); ++v) {
+        expected[v].position[3] = std::ldexp(expected[v].position[3], k);
       }
+      CHECK(same_polygon(clip(clip_triangle<T>(corners)), expected));
     });
   }
 }
@@ -268,14 +255,11 @@ TEST_CASE("promises: watertight clippers leave the same bits on an edge from bot
     const auto fourth = random_vertex(random, n % 3);
     if (n % 2 == 0) lay_first_edge_along_the_top(corners);
     if (lies_in_a_plane(corners)) continue;
-    for_clip_space([&]<class C, class T>() {
-      if (!is_watertight<C, T>(corners, fourth)) {
-        if constexpr (C::promise.watertight) {
-          CAPTURE(corners, fourth);
-          FAIL(C::name << " " << n);
-        }
-        ++leaks[std::string(C::name)];
-      }
+    for_clip_space([&](const auto& clip) {
+      if (is_watertight(clip, corners, fourth)) return;
+      CAPTURE(corners, fourth);
+      CHECK_FALSE(clip.promise.watertight);
+      ++leaks[std::string(clip.name)];
     });
   }
   // The test can tell: clippers that do not promise it do leak.
@@ -284,25 +268,23 @@ TEST_CASE("promises: watertight clippers leave the same bits on an edge from bot
 }
 
 TEST_CASE("promises: a clip distance cuts where it is negative, in every space") {
-  // The first attribute is 1 at vertex 0 and 0 at the others; moved down by 1/2 it is a clip distance
-  // that keeps the corner at vertex 0, up to half of both edges.
-  for_every<AllClippers>([&]<class C, class T>() {
-    if constexpr (kKeepsContract<C>) {
-      auto triangle = view_triangle<T>({{{0, 0, -4, 0}, {1, 0, -2, 0}, {0, 1, -2, 0}}});
-      for (auto& v : triangle) v.attributes[0] = v.attributes[0] - T(0.5f);
-      Projection<T> projection(Frustum<T>{});
-      projection.volume.clip_distances = 1;
-      NdcPolygon<T, K> out;
-      C{}(projection, triangle, out);
-      REQUIRE(out.size() == 3);
-      double largest = 0;
-      for (const auto& v : out) {
-        largest = std::max(largest, std::abs(experiments::nearest_double(v.attributes[1]) - 0.5) *
-                                        experiments::nearest_double(v.attributes[1]));
-        CHECK(experiments::nearest_double(v.attributes[0]) > -1e-6);
-      }
-      CHECK(largest < 1e-6);
+  // The first attribute is 1 at vertex 0 and 0 at the others; moved down by 1/2 it is a clip
+  // distance that keeps the corner at vertex 0, up to half of both edges.
+  for_every_clipper([&]<class T>(const ClipperIn<T, 3>& clip) {
+    if (!keeps_contract(clip.promise)) return;
+    auto triangle = view_triangle<T>({{{0, 0, -4, 0}, {1, 0, -2, 0}, {0, 1, -2, 0}}});
+    for (auto& v : triangle) v.attributes[0] = v.attributes[0] - T(0.5f);
+    Projection<T> projection(Frustum<T>{});
+    projection.volume.clip_distances = 1;
+    const auto out = clip(triangle, projection);
+    REQUIRE(out.size() == 3);
+    double largest = 0;
+    for (const auto& v : out) {
+      const double second = experiments::nearest_double(v.attributes[1]);
+      largest = std::max(largest, std::abs(second - 0.5) * second);
+      CHECK(experiments::nearest_double(v.attributes[0]) > -1e-6);
     }
+    CHECK(largest < 1e-6);
   });
 }
 
@@ -329,17 +311,14 @@ TEST_CASE("promises: eight clip distances at once, on their planes and one ulp o
 TEST_CASE("promises: with depth clamp near and far cut nothing and the sides keep w positive") {
   const Corners through = {{{-0.5, 0, -2, 0}, {0.5, 0, -2, 0}, {0, 0.5, 20, 0}}};
   const Corners near_the_eye = {{{0, 0, -0.5, 0}, {0.25, 0, -0.5, 0}, {0, 0.25, -0.5, 0}}};
-  for_every<AllClippers>([&]<class C, class T>() {
-    if constexpr (kKeepsContract<C> && C::promise.depth_clamp) {
-      Projection<T> projection(Frustum<T>{});
-      projection.volume.depth_clamp = true;
-      NdcPolygon<T, K> out;
-      C{}(projection, view_triangle<T>(near_the_eye), out);
-      CHECK(out.size() == 3);
-      C{}(projection, view_triangle<T>(through), out);
-      CHECK(out.size() >= 3);
-      for (const auto& v : out) CHECK(T(0) < v.position[3]);
-    }
+  for_every_clipper([&]<class T>(const ClipperIn<T, 3>& clip) {
+    if (!keeps_contract(clip.promise) || !clip.promise.depth_clamp) return;
+    Projection<T> projection(Frustum<T>{});
+    projection.volume.depth_clamp = true;
+    CHECK(clip(view_triangle<T>(near_the_eye), projection).size() == 3);
+    const auto out = clip(view_triangle<T>(through), projection);
+    CHECK(out.size() >= 3);
+    for (const auto& v : out) CHECK(T(0) < v.position[3]);
   });
 }
 

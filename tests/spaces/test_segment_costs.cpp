@@ -19,7 +19,7 @@ struct Cost {
   OperationCounts counts;
 };
 
-// Of the method alone, without projection and divide.
+// What the method alone costs, without projection and divide.
 template <class Method>
 Cost cost_in_clip_space(const Ends& ends) {
   const auto segment = clip_segment<Counted>(ends);

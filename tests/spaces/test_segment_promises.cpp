@@ -2,19 +2,20 @@
 //
 // The error bounds that segment clippers promise (spaces/clipper.hpp), measured.
 //
-// As in experiments/measure/promise.hpp everything is measured in clip space, where a vertex
-// (x, y, z, 1/w) of the answer is the point (x, y, z, 1) w: how far it is outside the volume, how far from
+// As in experiments/judge/promise.hpp everything is measured in clip space, where a vertex (x, y,
+// z, 1/w) of the answer is the point (x, y, z, 1) w: how far it is outside the volume, how far from
 // the input segment, and how far from it what is visible of the exact segment in the volume made
-// smaller by the bound. Numbers are double-double for float and double, rationals for exact arithmetic.
+// smaller by the bound. Numbers are double-double for float and double, rationals for exact
+// arithmetic.
 #include <cmath>
 
 #include "tests/catch.hpp"
+#include "tests/spaces/clippers.hpp"
 #include "tests/spaces/segments.hpp"
 
 using namespace clipscope;
 using namespace clipscope::tests;
 using experiments::Exact;
-using experiments::for_each_type;
 using experiments::nearest_double;
 
 namespace {
@@ -55,9 +56,7 @@ N distance_to_segment(const Point& p, const Segment& s) {
   if (N(1) < t) t = N(1);
   const Point nearest = point_at(s, t);
   N squared(0);
-  for (std::size_t i = 0; i < 4; ++i) {
-    squared = squared + (p[i] - nearest[i]) * (p[i] - nearest[i]);
-  }
+  for (std::size_t i = 0; i < 4; ++i) squared = squared + (p[i] - nearest[i]) * (p[i] - nearest[i]);
   return sqrt(squared);
 }
 
@@ -71,12 +70,12 @@ std::optional<Interval<N>> visible_part(const Segment& s, Outcode planes, double
   });
 }
 
-// w_max / w_min of what is left after the near cut; 0 where the promise does not speak of the segment.
-template <class C>
-double amplification(const Segment& s) {
-  if (C::promise.domain == Promise::Domain::any) return 1;
+// w_max / w_min of what is left after the near cut; 0 where the promise does not speak of the
+// segment.
+double amplification(const Promise& promise, const Segment& s) {
+  if (promise.domain == Promise::Domain::any) return 1;
   Interval<N> part;
-  if (C::promise.domain == Promise::Domain::divisible) {
+  if (promise.domain == Promise::Domain::divisible) {
     const auto front = visible_part(s, bit(Plane::near), 0);
     if (!front) return 1;
     part = *front;
@@ -109,8 +108,8 @@ double error(const Segment& input, const NdcPolygon<T, K>& out, double bound) {
 }
 
 // The largest error met, in units of u M amplification, over random segments of many shapes.
-template <class C, class T>
-double worst_ulps(std::mt19937_64& random, int count) {
+template <class T>
+double worst_ulps(const ClipperIn<T, 2>& clip, std::mt19937_64& random, int count) {
   double worst = 0;
   for (int n = 0; n < count; ++n) {
     Ends ends = random_ends(random, std::ldexp(1.0, n % 12 - 2));
@@ -120,23 +119,21 @@ double worst_ulps(std::mt19937_64& random, int count) {
         ends[0][3] = ends[1][3] = 1;
       }
     }
-    if (C::promise.domain == Promise::Domain::in_front || n % 4 == 0) {
+    if (clip.promise.domain == Promise::Domain::in_front || n % 4 == 0) {
       for (auto& end : ends) end[3] = std::abs(end[3]) + 0x1p-10;
     }
     const auto segment = clip_segment<T>(ends);
     const Segment input = {lift(segment[0].position), lift(segment[1].position)};
-    const double ratio = amplification<C>(input);
+    const double ratio = amplification(clip.promise, input);
     if (ratio == 0) continue;
     double largest = 0;
     for (const auto& end : ends) {
       for (const double x : end) largest = std::max(largest, std::abs(x));
     }
-    const double unit = experiments::unit_roundoff<T>() * largest * ratio;
-    NdcPolygon<T, K> out;
-    C{}(ClipVolume{}, segment, out);
-    const double found = error(input, out, C::promise.ulps * unit) / unit;
-    INFO(C::name << ", segment " << n << ": " << found << " ulps");
-    CHECK(found <= C::promise.ulps);
+    const double unit = experiments::kFormat<T>.unit_roundoff() * largest * ratio;
+    const double found = error(input, clip(segment), clip.promise.ulps * unit) / unit;
+    INFO(clip.name << ", segment " << n << ": " << found << " ulps");
+    CHECK(found <= clip.promise.ulps);
     worst = std::max(worst, found);
   }
   return worst;
@@ -147,12 +144,12 @@ double worst_ulps(std::mt19937_64& random, int count) {
 TEST_CASE(
     "segment promises: no error is beyond the bound, and some rounding is there to be bound") {
   std::mt19937_64 random(41);
-  for_each_type(AllSegmentClippers{}, [&]<class C>() {
-    if constexpr (ClipsClipSpace<C, float, K, 2>) {
-      CHECK(worst_ulps<C, float>(random, 3000) > 0.5);
-      CHECK(worst_ulps<C, double>(random, 1500) > 0.5);
-    }
-  });
+  for (const auto& clip : clippers<float, 2>()) {
+    if (clip.takes_clip_space()) CHECK(worst_ulps(clip, random, 3000) > 0.5);
+  }
+  for (const auto& clip : clippers<double, 2>()) {
+    if (clip.takes_clip_space()) CHECK(worst_ulps(clip, random, 1500) > 0.5);
+  }
 }
 
 TEST_CASE("segment promises: Cyrus-Beck keeps its bound in view space") {
@@ -166,10 +163,11 @@ TEST_CASE("segment promises: Cyrus-Beck keeps its bound in view space") {
     double largest = 0;
     for (std::size_t i = 0; i < 2; ++i) {
       input[i] = lift(to_clip(exact, Vec3<N>(N(ends[i][0]), N(ends[i][1]), N(ends[i][2]))));
-      // The terms of the clip coordinates: x.own = 4 / 6, y.own = 1, |x.z| = 1 / 3, z.one about 1.03.
+      // The terms of the clip coordinates: x.own = 4 / 6, y.own = 1, |x.z| = 1 / 3, z.one about
+      // 1.03.
       for (const double x : ends[i]) largest = std::max(largest, 2 * std::abs(x) + 1.1);
     }
-    const double unit = experiments::unit_roundoff<float>() * largest;
+    const double unit = experiments::kFormat<float>.unit_roundoff() * largest;
     NdcPolygon<float, K> out;
     ViewCyrusBeck{}(projection, view_segment<float>(ends), out);
     const double found = error(input, out, ViewCyrusBeck::promise.ulps * unit) / unit;

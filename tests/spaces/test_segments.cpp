@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tests/catch.hpp"
+#include "tests/spaces/clippers.hpp"
 #include "tests/spaces/segments.hpp"
 
 using namespace clipscope;
@@ -16,8 +17,6 @@ using experiments::Counted;
 using experiments::Exact;
 using experiments::for_each_type;
 using experiments::nearest_double;
-using experiments::scalar_from;
-using experiments::ScalarTraits;
 
 namespace {
 
@@ -25,53 +24,27 @@ constexpr ClipVolume kGl{};
 
 using FloatingScalars = TypeList<float, double, dd_real, Counted>;
 
-// Runs f.operator()<C, T>() for every segment clipper that takes clip space, and every scalar given.
+// Calls f(clipper) for every segment clipper that takes clip space, in every scalar given.
 template <class Scalars, class F>
 void for_every_clip_space(F&& f) {
-  for_each_type(AllSegmentClippers{}, [&]<class C>() {
-    if constexpr (ClipsClipSpace<C, float, K, 2>) {
-      for_each_type(Scalars{}, [&]<class T>() {
-        INFO(C::name << " in " << ScalarTraits<T>::name);
-        f.template operator()<C, T>();
-      });
-    }
+  for_every_clipper<Scalars, 2>([&](const auto& clip) {
+    if (clip.takes_clip_space()) f(clip);
   });
 }
 
-template <class Scalars, class F>
-void for_every_view_space(F&& f) {
-  for_each_type(AllSegmentClippers{}, [&]<class C>() {
-    for_each_type(Scalars{}, [&]<class T>() {
-      INFO(C::name << " in " << ScalarTraits<T>::name);
-      f.template operator()<C, T>();
-    });
-  });
-}
+template <Scalar T>
+using SegmentClipper = ClipperIn<T, 2>;
 
-template <class C, class T>
-NdcPolygon<T, K> clip(const ClipSegment<T, K>& segment, const ClipVolume& volume = kGl) {
-  NdcPolygon<T, K> out;
-  C{}(volume, segment, out);
-  return out;
-}
-
-template <class C, class T>
-NdcPolygon<T, K> clip_ends(const Ends& ends, const ClipVolume& volume = kGl) {
-  return clip<C>(clip_segment<T>(ends), volume);
-}
-
-template <class C, class T>
-NdcPolygon<T, K> clip_view(const Ends& ends) {
-  NdcPolygon<T, K> out;
-  C{}(Projection<T>(Frustum<T>{}), view_segment<T>(ends), out);
-  return out;
+template <Scalar T>
+NdcPolygon<T, K> clip_ends(const SegmentClipper<T>& clip, const Ends& ends,
+                           const ClipVolume& volume = kGl) {
+  return clip(clip_segment<T>(ends), volume);
 }
 
 // The planes that a method cuts by before it divides; it drops what then has w <= 0.
-template <class C>
-constexpr Outcode planes_before_divide() {
-  if (C::name.starts_with("window/")) return ~kSidePlanes;
-  if (C::promise.domain == Promise::Domain::divisible) return bit(Plane::near);
+Outcode planes_before_divide(const SegmentClipper<Exact>& clip) {
+  if (clip.name.starts_with("window/")) return ~kSidePlanes;
+  if (clip.promise.domain == Promise::Domain::divisible) return bit(Plane::near);
   return 0;
 }
 
@@ -93,12 +66,11 @@ bool has_positive_w(const ClipSegment<Exact, K>& segment, const Interval<Exact>&
 }
 
 // Whether the method's promise speaks of the segment.
-template <class C>
-bool in_domain(const ClipVolume& volume, const ClipSegment<Exact, K>& segment) {
-  const Outcode before = planes_before_divide<C>();
-  if (C::promise.domain == Promise::Domain::any) return true;
-  if (C::promise.domain == Promise::Domain::in_front) return has_positive_w(segment, {});
-  const auto part = exact_interval(volume, before, segment);
+bool in_domain(const SegmentClipper<Exact>& clip, const ClipVolume& volume,
+               const ClipSegment<Exact, K>& segment) {
+  if (clip.promise.domain == Promise::Domain::any) return true;
+  if (clip.promise.domain == Promise::Domain::in_front) return has_positive_w(segment, {});
+  const auto part = exact_interval(volume, planes_before_divide(clip), segment);
   return !part || has_positive_w(segment, *part);
 }
 
@@ -112,13 +84,6 @@ NdcPolygon<Exact, K> exact_answer(const ClipVolume& volume, const ClipSegment<Ex
     keep_if_segment(out);
   }
   return out;
-}
-
-template <class T>
-bool same_polygon(const NdcPolygon<T, K>& a, const NdcPolygon<T, K>& b) {
-  return a.size() == b.size() &&
-         std::equal(a.begin(), a.end(), b.begin(),
-                    [](const auto& v, const auto& w) { return same(v, w); });
 }
 
 const std::vector<ClipVolume> kVolumes = {
@@ -149,8 +114,8 @@ TEST_CASE("segments: in exact arithmetic every clipper has the exact interval in
           n % 2 == 0 ? lattice_ends(random) : random_ends(random, 2), attribute);
       const auto expected = exact_answer(volume, segment);
       visible += expected.empty() ? 0 : 1;
-      for_every_clip_space<TypeList<Exact>>([&]<class C, class T>() {
-        if (in_domain<C>(volume, segment)) CHECK(same_polygon(clip<C>(segment, volume), expected));
+      for_every_clip_space<TypeList<Exact>>([&](const SegmentClipper<Exact>& clip) {
+        if (in_domain(clip, volume, segment)) CHECK(same_polygon(clip(segment, volume), expected));
       });
     }
     CHECK(visible > 50);
@@ -178,10 +143,9 @@ TEST_CASE("segments: in exact arithmetic every clipper has the exact interval in
         const auto segment = to_clip(projection, view);
         const auto expected = exact_answer(projection.volume, segment);
         visible += expected.empty() ? 0 : 1;
-        for_every_view_space<TypeList<Exact>>([&]<class C, class T>() {
-          NdcPolygon<Exact, K> out;
-          C{}(projection, view, out);
-          if (in_domain<C>(projection.volume, segment)) CHECK(same_polygon(out, expected));
+        for_every_clipper<TypeList<Exact>, 2>([&](const SegmentClipper<Exact>& clip) {
+          if (!in_domain(clip, projection.volume, segment)) return;
+          CHECK(same_polygon(clip(view, projection), expected));
         });
       }
       CHECK(visible > 20);
@@ -195,17 +159,16 @@ TEST_CASE(
   const Projection<Exact> projection{Frustum<Exact>{}};
   for (int n = 0; n < 300; ++n) {
     const auto segment = to_clip(projection, view_segment<Exact>(lattice_ends(random)));
-    for_each_type(AllSegmentClippers{}, [&]<class C>() {
-      if (C::promise.domain != Promise::Domain::in_front) {
-        CHECK(in_domain<C>(projection.volume, segment));
-      }
-    });
+    for (const auto& clip : clippers<Exact, 2>()) {
+      if (clip.promise.domain == Promise::Domain::in_front) continue;
+      CHECK(in_domain(clip, projection.volume, segment));
+    }
   }
 }
 
 TEST_CASE("segments: one inside comes out as it is, divided") {
-  for_every_clip_space<AllScalars>([]<class C, class T>() {
-    const auto out = clip_ends<C, T>({{{-0.5, 0.25, 0, 1}, {1, 0.5, -1, 2}}});
+  for_every_clip_space<AllScalars>([]<class T>(const SegmentClipper<T>& clip) {
+    const auto out = clip_ends(clip, {{{-0.5, 0.25, 0, 1}, {1, 0.5, -1, 2}}});
     REQUIRE(out.size() == 2);
     CHECK(nearest_double(out[0].position[0]) == -0.5);
     CHECK(nearest_double(out[0].position[1]) == 0.25);
@@ -216,9 +179,9 @@ TEST_CASE("segments: one inside comes out as it is, divided") {
 }
 
 TEST_CASE("segments: the volume is closed, a segment between its corners is untouched") {
-  for_every_clip_space<AllScalars>([]<class C, class T>() {
+  for_every_clip_space<AllScalars>([]<class T>(const SegmentClipper<T>& clip) {
     for (const double w : {1.0, 3.0, 1e-20, 0x1p-126}) {
-      const auto out = clip_ends<C, T>({{{-w, -w, -w, w}, {w, w, w, w}}});
+      const auto out = clip_ends(clip, {{{-w, -w, -w, w}, {w, w, w, w}}});
       REQUIRE(out.size() == 2);
       CHECK(nearest_double(out[0].position[0]) == -1);
       CHECK(nearest_double(out[1].position[2]) == 1);
@@ -228,7 +191,7 @@ TEST_CASE("segments: the volume is closed, a segment between its corners is unto
 
 TEST_CASE("segments: the ulp neighbours of a plane are cut exactly when they are outside") {
   using Limits = std::numeric_limits<float>;
-  for_every_clip_space<AllScalars>([]<class C, class T>() {
+  for_every_clip_space<AllScalars>([]<class T>(const SegmentClipper<T>& clip) {
     for (const int axis : {0, 1, 2}) {
       for (const float sign : {-1.0f, 1.0f}) {
         const std::array<float, 3> neighbours = {std::nextafter(sign, 0.0f), sign,
@@ -236,7 +199,7 @@ TEST_CASE("segments: the ulp neighbours of a plane are cut exactly when they are
         for (std::size_t i = 0; i < 3; ++i) {
           Ends ends = {{{0, 0, 0, 1}, {0, 0, 0, 1}}};
           ends[1][static_cast<std::size_t>(axis)] = neighbours[i];
-          const auto out = clip_ends<C, T>(ends);
+          const auto out = clip_ends(clip, ends);
           REQUIRE(out.size() == 2);
           const double expected = i == 0 ? neighbours[0] : sign;
           CHECK(nearest_double(out[1].position[axis]) == expected);
@@ -247,28 +210,28 @@ TEST_CASE("segments: the ulp neighbours of a plane are cut exactly when they are
 }
 
 TEST_CASE("segments: only one point left is nothing") {
-  for_every_clip_space<AllScalars>([]<class C, class T>() {
-    CHECK(clip_ends<C, T>({{{1, 0, 0, 1}, {2, 0, 0, 1}}}).empty());           // touches with an end
-    CHECK(clip_ends<C, T>({{{2, 0, 0, 1}, {1, 0, 0, 1}}}).empty());           // the other end
-    CHECK(clip_ends<C, T>({{{2, 0, 0, 1}, {0, 2, 0, 1}}}).empty());           // touches an edge
-    CHECK(clip_ends<C, T>({{{0.5, 0, 0, 1}, {0.5, 0, 0, 1}}}).empty());       // is a point, inside
-    CHECK(clip_ends<C, T>({{{-1, 1, 1, 1}, {-2, 2, 2, 1}}}).empty());         // touches a corner
-    CHECK(clip_ends<C, T>({{{1, 0.5, 0, 1}, {1, -0.5, 0, 1}}}).size() == 2);  // lies in a plane
-    CHECK(clip_ends<C, T>({{{1, 1, 5, 1}, {1, 1, -5, 1}}}).size() == 2);      // lies in an edge
+  for_every_clip_space<AllScalars>([]<class T>(const SegmentClipper<T>& clip) {
+    CHECK(clip_ends(clip, {{{1, 0, 0, 1}, {2, 0, 0, 1}}}).empty());           // touches with an end
+    CHECK(clip_ends(clip, {{{2, 0, 0, 1}, {1, 0, 0, 1}}}).empty());           // the other end
+    CHECK(clip_ends(clip, {{{2, 0, 0, 1}, {0, 2, 0, 1}}}).empty());           // touches an edge
+    CHECK(clip_ends(clip, {{{0.5, 0, 0, 1}, {0.5, 0, 0, 1}}}).empty());       // is a point, inside
+    CHECK(clip_ends(clip, {{{-1, 1, 1, 1}, {-2, 2, 2, 1}}}).empty());         // touches a corner
+    CHECK(clip_ends(clip, {{{1, 0.5, 0, 1}, {1, -0.5, 0, 1}}}).size() == 2);  // lies in a plane
+    CHECK(clip_ends(clip, {{{1, 1, 5, 1}, {1, 1, -5, 1}}}).size() == 2);      // lies in an edge
   });
 }
 
 // x + w = 1 all along the segment: there is no solution of x / w = -1.
 TEST_CASE("segments: from (-2, 0, 0, 3) to (4, 0, 0, -3) what is in front of x = w is visible") {
-  for_every_clip_space<AllScalars>([]<class C, class T>() {
-    if (C::promise.domain == Promise::Domain::in_front) return;
+  for_every_clip_space<AllScalars>([]<class T>(const SegmentClipper<T>& clip) {
+    if (clip.promise.domain == Promise::Domain::in_front) return;
     // With z = -1 the near plane leaves w >= 1; with z = 0 only w >= 0, which can't be divided.
-    const auto near = clip_ends<C, T>({{{-2, 0, -1, 3}, {4, 0, -1, -3}}});
+    const auto near = clip_ends(clip, {{{-2, 0, -1, 3}, {4, 0, -1, -3}}});
     REQUIRE(near.size() == 2);
     CHECK(nearest_double(near[1].position[0]) == Approx(0).margin(1e-6));
     CHECK(nearest_double(near[1].position[3]) == Approx(1));
-    const auto out = clip_ends<C, T>({{{-2, 0, 0, 3}, {4, 0, 0, -3}}});
-    if (C::promise.domain == Promise::Domain::divisible) {
+    const auto out = clip_ends(clip, {{{-2, 0, 0, 3}, {4, 0, 0, -3}}});
+    if (clip.promise.domain == Promise::Domain::divisible) {
       CHECK(out.empty());
       return;
     }
@@ -281,15 +244,15 @@ TEST_CASE("segments: from (-2, 0, 0, 3) to (4, 0, 0, -3) what is in front of x =
 }
 
 TEST_CASE("segments: w <= 0 at one end, at both, and at the eye") {
-  for_every_clip_space<AllScalars>([]<class C, class T>() {
-    if (C::promise.domain == Promise::Domain::in_front) return;
-    CHECK(clip_ends<C, T>({{{0.1, 0, 0, -1}, {0.2, 0, 0, -2}}}).empty());  // behind
-    CHECK(clip_ends<C, T>({{{0.1, 0, 0, 0}, {0.2, 0, 0, 0}}}).empty());    // at infinity
-    CHECK(clip_ends<C, T>({{{0, 0, 0, 0}, {0, 0, 0, 0}}}).empty());        // nowhere
-    CHECK(clip_ends<C, T>({{{0, 0, 0, 0}, {0.5, 0, 0, 1}}}).empty());  // one point of the picture
-    CHECK(clip_ends<C, T>({{{0.5, 0.5, 0.5, 1}, {-0.5, -0.5, -0.5, -1}}}).empty());  // the same
+  for_every_clip_space<AllScalars>([]<class T>(const SegmentClipper<T>& clip) {
+    if (clip.promise.domain == Promise::Domain::in_front) return;
+    CHECK(clip_ends(clip, {{{0.1, 0, 0, -1}, {0.2, 0, 0, -2}}}).empty());  // behind
+    CHECK(clip_ends(clip, {{{0.1, 0, 0, 0}, {0.2, 0, 0, 0}}}).empty());    // at infinity
+    CHECK(clip_ends(clip, {{{0, 0, 0, 0}, {0, 0, 0, 0}}}).empty());        // nowhere
+    CHECK(clip_ends(clip, {{{0, 0, 0, 0}, {0.5, 0, 0, 1}}}).empty());  // one point of the picture
+    CHECK(clip_ends(clip, {{{0.5, 0.5, 0.5, 1}, {-0.5, -0.5, -0.5, -1}}}).empty());  // the same
     for (const double w : {-1.0, -0.0, 0.0}) {
-      const auto out = clip_ends<C, T>({{{0, 0.5, -0.5, 1}, {0, 0.5, -2, w}}});
+      const auto out = clip_ends(clip, {{{0, 0.5, -0.5, 1}, {0, 0.5, -2, w}}});
       REQUIRE(out.size() == 2);
       CHECK(nearest_double(out[1].position[2]) == Approx(-1.0));
     }
@@ -299,8 +262,10 @@ TEST_CASE("segments: w <= 0 at one end, at both, and at the eye") {
 TEST_CASE(
     "segments: dividing whatever w is draws the wrong segment, cutting near first the right one") {
   const Ends through_the_eye_plane = {{{0, 0, -2, 0}, {0, 2, 2, 0}}};
-  const auto right = clip_view<CvvLiangBarsky, double>(through_the_eye_plane);
-  const auto wrong = clip_view<CvvLiangBarskyNaive, double>(through_the_eye_plane);
+  const Projection<double> projection(Frustum<double>{});
+  NdcPolygon<double, K> right, wrong;
+  CvvLiangBarsky{}(projection, view_segment<double>(through_the_eye_plane), right);
+  CvvLiangBarskyNaive{}(projection, view_segment<double>(through_the_eye_plane), wrong);
   REQUIRE(right.size() == 2);
   CHECK(right[1].position[1] == Approx(0.5));
   CHECK((wrong.size() != 2 || wrong[1].position[1] != Approx(0.5)));
@@ -308,8 +273,8 @@ TEST_CASE(
 
 TEST_CASE("segments: depth clamp keeps what is nearer than near and farther than far") {
   const ClipVolume clamped{.depth_clamp = true};
-  for_every_clip_space<AllScalars>([&]<class C, class T>() {
-    const auto out = clip_ends<C, T>({{{0, 0, -3, 1}, {2, 0, 5, 1}}}, clamped);
+  for_every_clip_space<AllScalars>([&]<class T>(const SegmentClipper<T>& clip) {
+    const auto out = clip_ends(clip, {{{0, 0, -3, 1}, {2, 0, 5, 1}}}, clamped);
     REQUIRE(out.size() == 2);
     CHECK(nearest_double(out[0].position[2]) == -3);
     CHECK(nearest_double(out[1].position[0]) == 1);
@@ -319,18 +284,18 @@ TEST_CASE("segments: depth clamp keeps what is nearer than near and farther than
 
 TEST_CASE("segments: a clip distance cuts, and one that is NaN leaves nothing") {
   const ClipVolume one_distance{.clip_distances = 1};
-  for_every_clip_space<AllScalars>([&]<class C, class T>() {
+  for_every_clip_space<AllScalars>([&]<class T>(const SegmentClipper<T>& clip) {
     auto segment = clip_segment<T>({{{-0.5, 0, 0, 1}, {0.5, 0, 0, 1}}});
     segment[0].attributes[0] = T(1);
     segment[1].attributes[0] = T(-3);
-    const auto out = clip<C>(segment, one_distance);
+    const auto out = clip(segment, one_distance);
     REQUIRE(out.size() == 2);
     CHECK(nearest_double(out[1].position[0]) == -0.25);
     CHECK(nearest_double(out[1].attributes[0]) == 0);
     if constexpr (kHasInfinity<T>) {
       segment[0].attributes[0] = T(std::numeric_limits<float>::quiet_NaN());
-      CHECK(clip<C>(segment, one_distance).empty());
-      CHECK(clip<C>(segment).size() == 2);
+      CHECK(clip(segment, one_distance).empty());
+      CHECK(clip(segment).size() == 2);
     }
   });
 }
@@ -344,22 +309,20 @@ TEST_CASE("segments: NaN and infinity in any position coordinate yield nothing")
       const ClipVolume& volume = kVolumes[static_cast<std::size_t>(n) % kVolumes.size()];
       for (const std::size_t end : {0u, 1u}) {
         for (const int coordinate : {0, 1, 2, 3}) {
-          for_every_clip_space<FloatingScalars>([&]<class C, class T>() {
+          for_every_clip_space<FloatingScalars>([&]<class T>(const SegmentClipper<T>& clip) {
             auto segment = clip_segment<T>(ends, {1, 1});
             if (n % 2 == 0) segment[1 - end].position[3] = T(2);
             segment[end].position[coordinate] = T(bad);
-            CHECK(clip<C>(segment, volume).empty());
+            CHECK(clip(segment, volume).empty());
           });
           if (coordinate == 3) continue;
-          for_every_view_space<FloatingScalars>([&]<class C, class T>() {
+          for_every_clipper<FloatingScalars, 2>([&]<class T>(const SegmentClipper<T>& clip) {
             Projection<T> projection{Frustum<T>{}};
             projection.volume.depth_clamp = volume.depth_clamp;
             auto segment = view_segment<T>(ends);
             if (n % 2 == 0) segment[1 - end].position[2] = T(-2);
             segment[end].position[coordinate] = T(bad);
-            NdcPolygon<T, K> out;
-            C{}(projection, segment, out);
-            CHECK(out.empty());
+            CHECK(clip(segment, projection).empty());
           });
         }
       }
@@ -388,16 +351,16 @@ TEST_CASE("segments: from finite positions of any magnitude no NaN and no infini
       for (double& x : end) x = specials[random() % specials.size()];
     }
     const ClipVolume& volume = kVolumes[static_cast<std::size_t>(n) % kVolumes.size()];
-    for_every_clip_space<TypeList<float, Counted>>([&]<class C, class T>() {
-      const auto out = clip_ends<C, T>(ends, volume);
+    for_every_clip_space<TypeList<float, Counted>>([&]<class T>(const SegmentClipper<T>& clip) {
+      const auto out = clip_ends(clip, ends, volume);
       CHECK((out.size() == 0 || out.size() == 2));
       for (const auto& v : out) {
         for (int i = 0; i < 3; ++i) CHECK(is_finite(v.position[i]));
         CHECK_FALSE(is_nan(v.position[3]));
       }
     });
-    for_every_view_space<TypeList<float>>([&]<class C, class T>() {
-      for (const auto& v : clip_view<C, T>(ends)) {
+    for_every_clipper<TypeList<float>, 2>([&]<class T>(const SegmentClipper<T>& clip) {
+      for (const auto& v : clip(view_segment<T>(ends))) {
         for (int i = 0; i < 3; ++i) CHECK(is_finite(v.position[i]));
         CHECK_FALSE(is_nan(v.position[3]));
       }
@@ -415,8 +378,8 @@ TEST_CASE("segments: random bits of floats end, and give what lies in the volume
         if (!std::isfinite(x)) x = 0;
       }
     }
-    for_every_clip_space<TypeList<float>>([&]<class C, class T>() {
-      for (const auto& v : clip_ends<C, T>(ends)) {
+    for_every_clip_space<TypeList<float>>([&]<class T>(const SegmentClipper<T>& clip) {
+      for (const auto& v : clip_ends(clip, ends)) {
         for (int i = 0; i < 3; ++i) CHECK(is_finite(v.position[i]));
       }
     });
@@ -427,21 +390,18 @@ TEST_CASE("segments: the reverse of a segment gives the same bits where that is 
   std::mt19937_64 random(37);
   for (int n = 0; n < 1000; ++n) {
     const Ends ends = random_ends(random, std::ldexp(1.0, n % 8));
-    for_every_clip_space<FloatingScalars>([&]<class C, class T>() {
-      if (!C::promise.rotation_invariant) return;
+    for_every_clip_space<FloatingScalars>([&]<class T>(const SegmentClipper<T>& clip) {
+      if (!clip.promise.rotation_invariant) return;
       const auto segment = clip_segment<T>(ends);
-      auto back = clip<C>(reversed(segment));
+      auto back = clip(reversed(segment));
       if (back.size() == 2) std::swap(back[0], back[1]);
-      CHECK(same_polygon(clip<C>(segment), back));
+      CHECK(same_polygon(clip(segment), back));
     });
-    for_every_view_space<FloatingScalars>([&]<class C, class T>() {
-      if (!C::promise.rotation_invariant) return;
-      const Projection<T> projection{Frustum<T>{}};
-      NdcPolygon<T, K> out, back;
-      C{}(projection, view_segment<T>(ends), out);
-      C{}(projection, reversed(view_segment<T>(ends)), back);
+    for_every_clipper<FloatingScalars, 2>([&]<class T>(const SegmentClipper<T>& clip) {
+      if (!clip.promise.rotation_invariant) return;
+      auto back = clip(reversed(view_segment<T>(ends)));
       if (back.size() == 2) std::swap(back[0], back[1]);
-      CHECK(same_polygon(out, back));
+      CHECK(same_polygon(clip(view_segment<T>(ends)), back));
     });
   }
 }
@@ -455,10 +415,10 @@ TEST_CASE("segments: homogeneous coordinates scaled by 2^k give the same picture
       for (auto& end : scaled) {
         for (double& x : end) x = std::ldexp(x, k);
       }
-      for_every_clip_space<TypeList<float, double>>([&]<class C, class T>() {
-        static_assert(C::promise.scale_invariant);
-        const auto a = clip_ends<C, T>(ends);
-        const auto b = clip_ends<C, T>(scaled);
+      for_every_clip_space<TypeList<float, double>>([&]<class T>(const SegmentClipper<T>& clip) {
+        REQUIRE(clip.promise.scale_invariant);
+        const auto a = clip_ends(clip, ends);
+        const auto b = clip_ends(clip, scaled);
         REQUIRE(a.size() == b.size());
         for (int v = 0; v < a.size(); ++v) {
           for (int i = 0; i < 3; ++i) CHECK(a[v].position[i] == b[v].position[i]);

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <random>
-#include <string>
-#include <vector>
+#include <span>
 
 #include "experiments/contestants/scalars.hpp"
+#include "experiments/judge/cycle.hpp"
 #include "spaces/clippers.hpp"
 #include "tests/catch.hpp"
 
@@ -64,40 +64,7 @@ inline Corners random_corners(std::mt19937_64& random, double size) {
   return corners;
 }
 
-template <class... Lists>
-struct Concatenation;
-template <class... As>
-struct Concatenation<TypeList<As...>> {
-  using type = TypeList<As...>;
-};
-template <class... As, class... Bs, class... Rest>
-struct Concatenation<TypeList<As...>, TypeList<Bs...>, Rest...>
-    : Concatenation<TypeList<As..., Bs...>, Rest...> {};
-
-template <class C>
-inline constexpr bool kKeepsContract =
-    C::promise.covers&& C::promise.contained&& C::promise.attributes&& C::promise.domain !=
-    Promise::Domain::in_front;
-template <class C>
-inline constexpr bool kKeepsClipContract =
-    kKeepsContract<C>&& ClipsClipSpace<C, float, K>&& C::promise.domain == Promise::Domain::any;
-
-template <class List>
-struct Kept;
-template <class... Cs>
-struct Kept<TypeList<Cs...>> {
-  using View = typename Concatenation<
-      TypeList<>, std::conditional_t<kKeepsContract<Cs>, TypeList<Cs>, TypeList<>>...>::type;
-  using Clip = typename Concatenation<
-      TypeList<>, std::conditional_t<kKeepsClipContract<Cs>, TypeList<Cs>, TypeList<>>...>::type;
-};
-
-// The clippers that by their promise keep the contract for every view-space triangle.
-using FullClippers = Kept<AllClippers>::View;
-
-// The clippers that keep it for every clip-space triangle.
-using FullHomogeneousClippers = Kept<AllClippers>::Clip;
-
+// What a clipper that a test names makes of a triangle.
 template <class C, class T>
 NdcPolygon<T, K> clip(const ClipTriangle<T, K>& triangle, const ClipVolume& volume = {}) {
   NdcPolygon<T, K> out;
@@ -122,38 +89,29 @@ bool same(const NdcVertex<T, K>& a, const NdcVertex<T, K>& b) {
   return true;
 }
 
-// Whether b is a, beginning elsewhere.
-template <class T>
-bool same_up_to_rotation(const NdcPolygon<T, K>& a, const NdcPolygon<T, K>& b) {
-  const int n = a.size();
-  if (n != b.size()) return false;
-  for (int shift = 0; shift < std::max(n, 1); ++shift) {
-    bool equal = true;
-    for (int i = 0; i < n && equal; ++i) equal = same(a[i], b[(i + shift) % n]);
-    if (equal) return true;
-  }
-  return false;
+template <Scalar T>
+std::span<const NdcVertex<T, K>> vertices(const NdcPolygon<T, K>& polygon) {
+  return {polygon.begin(), polygon.end()};
 }
 
-// Runs f.operator()<C>() for every clipper that there is in T.
-template <class T, class Clippers, class F>
-void for_each_in(Clippers, F&& f) {
-  experiments::for_each_type(Clippers{}, [&]<class C>() {
-    if constexpr (ClipsViewSpace<C, T, K>) f.template operator()<C>();
-  });
+// Whether b is a, with the same first vertex.
+template <Scalar T>
+bool same_polygon(std::span<const NdcVertex<T, K>> a, std::span<const NdcVertex<T, K>> b) {
+  return std::ranges::equal(a, b, [](const auto& v, const auto& w) { return same(v, w); });
+}
+template <Scalar T>
+bool same_polygon(const NdcPolygon<T, K>& a, const NdcPolygon<T, K>& b) {
+  return same_polygon<T>(vertices(a), vertices(b));
 }
 
-// Runs f.operator()<C, T>() for every pair that there is.
-template <class Clippers, class F>
-void for_every(F&& f) {
-  experiments::for_each_type(Clippers{}, [&]<class C>() {
-    experiments::for_each_type(experiments::AllScalars{}, [&]<class T>() {
-      if constexpr (ClipsViewSpace<C, T, K>) {
-        INFO(C::name << " in " << experiments::ScalarTraits<T>::name);
-        f.template operator()<C, T>();
-      }
-    });
-  });
+// Whether b is a, whichever vertex is first.
+template <Scalar T>
+bool same_cycle(std::span<const NdcVertex<T, K>> a, std::span<const NdcVertex<T, K>> b) {
+  return experiments::same_cycle(a, b, [](const auto& v, const auto& w) { return same(v, w); });
+}
+template <Scalar T>
+bool same_cycle(const NdcPolygon<T, K>& a, const NdcPolygon<T, K>& b) {
+  return same_cycle<T>(vertices(a), vertices(b));
 }
 
 }  // namespace clipscope::tests

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "experiments/errors.hpp"
+#include "experiments/machine/errors.hpp"
 #include "experiments/scenes/scene.hpp"
 #include "tests/catch.hpp"
 
@@ -39,9 +39,7 @@ TEST_CASE("catalogue: every outcome is what the exact reference says") {
 TEST_CASE("catalogue: every vertex found by hand is one of the exact polygon, and all are found") {
   int done_by_hand = 0;
   for (const HardCase& hard_case : builtin_catalogue()) {
-    if (hard_case.by_hand.empty()) {
-      continue;
-    }
+    if (hard_case.by_hand.empty()) continue;
     ++done_by_hand;
     CAPTURE(hard_case.name);
     CHECK(positions(exact_polygon(hard_case)) == sorted(hard_case.by_hand));
@@ -131,10 +129,10 @@ TEST_CASE("catalogue: a case is read as it is written") {
 }
 
 TEST_CASE("catalogue: without attributes a triangle has its barycentric coordinates and 1") {
-  const auto cases = parse_catalogue("t.cases",
-                                     "case a\nsource s\nwhy w\nprimitive triangle\nspace view "
-                                     "perspective -1 1 -2 2 1 inf reversed\n"
-                                     "vertex 0 0 -2\nvertex 1 0 -2\nvertex 0 1 -2\n");
+  const auto cases = parse_catalogue(
+      "t.cases",
+      "case a\nsource s\nwhy w\nprimitive triangle\nspace view perspective -1 1 -2 2 1 inf reversed\n"
+      "vertex 0 0 -2\nvertex 1 0 -2\nvertex 0 1 -2\n");
   const HardCase& c = cases.at(0);
   CHECK(c.space == Space::view);
   CHECK(c.frustum.infinite_far);
@@ -212,6 +210,26 @@ TEST_CASE("catalogue: a mistake is told by file, line, what was found and what w
 
 TEST_CASE("catalogue: a file that isn't there is named") {
   CHECK_THROWS_WITH(load_catalogue("no/such.cases"), Catch::Contains("no/such.cases"));
+}
+
+const HardCase& builtin_case(std::string_view name) { return find_case(builtin_catalogue(), name); }
+
+TEST_CASE("find case: by its name, by the part after the theme, and what is like it") {
+  CHECK(builtin_case("w_sign/two_behind").name == "w_sign/two_behind");
+  CHECK(builtin_case("two_behind").name == "w_sign/two_behind");
+  const auto message = [](std::string_view name) {
+    try {
+      builtin_case(name);
+    } catch (const UsageError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  CHECK(message("w_sign/tow_behind").find("w_sign/two_behind") != std::string::npos);
+  CHECK(message("kettnr").find("slivers_and_slopes/kettner") != std::string::npos);
+  CHECK(message("gizmo").find("segments/gizmo_across") != std::string::npos);
+  CHECK(message("inside").find("several cases are called 'inside'") != std::string::npos);
+  CHECK(message("").find("no case") != std::string::npos);
 }
 
 }  // namespace

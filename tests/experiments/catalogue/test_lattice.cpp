@@ -46,7 +46,7 @@ TEST_CASE("lattice: one triangle of every class is visited, its first image") {
   const DepthRange depth = GENERATE(DepthRange::minus_one_to_one, DepthRange::reversed);
   const bool mirror_z = depth == DepthRange::minus_one_to_one;
   const float coordinates[] = {-1, 0, 1}, ws[] = {-1, 2};
-  const Lattice lattice("tiny", coordinates, ws, depth);
+  const Lattice lattice(coordinates, ws, depth);
   CHECK(lattice.points() == 54);
   CHECK(lattice.triangles() == 54 * 55 * 56 / 6);
 
@@ -57,9 +57,7 @@ TEST_CASE("lattice: one triangle of every class is visited, its first image") {
     const std::set<Triangle> same = images(t.vertices, mirror_z);
     REQUIRE(*same.begin() == t.vertices);
     REQUIRE(static_cast<int>(same.size()) == t.class_size);
-    for (const Triangle& image : same) {
-      REQUIRE(reached.insert(image).second);
-    }
+    for (const Triangle& image : same) REQUIRE(reached.insert(image).second);
   }
   CHECK(visited == lattice.classes());
   CHECK(reached.size() == lattice.triangles());
@@ -69,18 +67,19 @@ TEST_CASE("lattice: one triangle of every class is visited, its first image") {
 // are classes.
 TEST_CASE("lattice: points that no symmetry moves, by hand") {
   const float zero[] = {0}, ws[] = {1, 2, 3};
-  const Lattice lattice("line", zero, ws, DepthRange::minus_one_to_one);
+  const Lattice lattice(zero, ws, DepthRange::minus_one_to_one);
   CHECK(lattice.triangles() == 10);
   CHECK(lattice.classes() == 10);
   CHECK(all(lattice).size() == 10);
 }
 
-// Thrice the same corner: 1 class. Twice one and another: 5, by the difference, along x or y, along z,
-// along both x and y, along z and one of them, along all. Three corners at one z: 1. Two at one z and one
-// at the other: the two are neighbours or not, the third is across from one of them or not: 4.
+// Thrice the same corner: 1 class. Twice one and another: 5, by the difference, along x or y, along
+// z, along both x and y, along z and one of them, along all. Three corners at one z: 1. Two at one
+// z and one at the other: the two are neighbours or not, the third is across from one of them or
+// not: 4.
 TEST_CASE("lattice: the corners of a cube are 11 classes, by hand") {
   const float corners[] = {-1, 1}, ws[] = {1};
-  const Lattice lattice("cube", corners, ws, DepthRange::minus_one_to_one);
+  const Lattice lattice(corners, ws, DepthRange::minus_one_to_one);
   CHECK(lattice.triangles() == 120);
   const std::vector<LatticeTriangle> triangles = all(lattice);
   CHECK(lattice.classes() == 11);
@@ -130,18 +129,24 @@ TEST_CASE("lattice: a chunk visits the same triangles whenever it is visited") {
   CHECK(first == second);
 }
 
+reference::InputTriangle input_triangle(const Triangle& triangle) {
+  reference::InputTriangle r;
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::ranges::copy(triangle[i], r.vertices[i].position.begin());
+  }
+  return r;
+}
+
 TEST_CASE("lattice: triangles of a class have exact results of the same size") {
   const float coordinates[] = {-2, 0, 2}, ws[] = {-1, 1};
-  const Lattice lattice("coarse", coordinates, ws, DepthRange::minus_one_to_one);
+  const Lattice lattice(coordinates, ws, DepthRange::minus_one_to_one);
   const auto truth = reference::Truth::of_clip(lattice.depth());
-  const auto size = [&](const LatticeTriangle& t) {
+  const auto size = [&](const Triangle& t) {
     return reference::clip(truth, input_triangle(t)).vertices.size();
   };
   for (const LatticeTriangle& t : all(lattice)) {
-    const std::size_t expected = size(t);
-    for (const Triangle& image : images(t.vertices, true)) {
-      REQUIRE(size({image, 1}) == expected);
-    }
+    const std::size_t expected = size(t.vertices);
+    for (const Triangle& image : images(t.vertices, true)) REQUIRE(size(image) == expected);
   }
 }
 

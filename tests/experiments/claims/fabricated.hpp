@@ -1,60 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Results made by hand: tables of a few rows from CSV text, a number where one can be read, and cells
-// that can be altered.
+// Results made by hand: tables of a few rows, which can be altered.
 #pragma once
 
-#include <cstdlib>
 #include <map>
 #include <optional>
-#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "experiments/report/results.hpp"
+#include "experiments/table/results.hpp"
 
 namespace clipscope::experiments {
 
-inline std::vector<std::string> csv_fields(const std::string& line) {
-  std::vector<std::string> fields;
-  std::istringstream stream(line);
-  for (std::string field; std::getline(stream, field, ';');) fields.push_back(field);
-  return fields;
+// Sets members, given as pairs of a member and a value.
+template <class Row>
+void set_members(Row&) {}
+template <class Row, class V, class Value, class... Rest>
+void set_members(Row& row, V Row::*member, const Value& value, const Rest&... rest) {
+  row.*member = value;
+  set_members(row, rest...);
 }
 
-inline Cell cell_of(const std::string& text) {
-  if (text == "-") return std::monostate();
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (!text.empty() && *end == '\0') return value;
-  return text;
+// A row that says no more than that.
+template <class Row, class... Members>
+Row row_with(const Members&... members) {
+  Row row{};
+  set_members(row, members...);
+  return row;
 }
 
-// The first line of the text has the columns' keys, the others the rows; fields end at semicolons.
-inline Table table_from(const std::string& name, const std::string& text) {
-  std::istringstream lines(text);
-  std::string line;
-  std::getline(lines, line);
-  std::vector<Column> columns;
-  for (const std::string& key : csv_fields(line)) columns.push_back({key, key});
-  Table table(name, name, columns);
-  while (std::getline(lines, line)) {
-    if (line.empty()) continue;
-    std::vector<Cell> cells;
-    for (const std::string& field : csv_fields(line)) cells.push_back(cell_of(field));
-    table.add_row(std::move(cells));
+class Fabricated {
+ public:
+  // All rows of a table, in place of what it had.
+  template <class Row>
+  void set(const std::vector<Row>& rows) {
+    TableOf<Row> table(std::string(Row::kName), "");
+    for (const Row& row : rows) table.add(row);
+    tables_.insert_or_assign(table.name(), table);
   }
-  return table;
-}
+  // Changes the first row that has the values; see find_row.
+  template <class Row, class... Conditions>
+  void alter(void (*change)(Row&), const Conditions&... conditions) {
+    std::vector<Row> rows = rows_of<Row>(tables_.at(std::string(Row::kName)));
+    const Row* found = find_row(rows, conditions...);
+    if (found == nullptr) throw std::out_of_range("no row to alter");
+    change(rows[static_cast<std::size_t>(found - rows.data())]);
+    set(rows);
+  }
+  Results results() const {
+    return Results([tables = tables_](const std::string& name) -> std::optional<Table> {
+      const auto found = tables.find(name);
+      return found == tables.end() ? std::nullopt : std::optional(found->second);
+    });
+  }
 
-using TableTexts = std::map<std::string, std::string>;
-
-inline Results results_from(const TableTexts& tables) {
-  return Results([tables](const std::string& name) -> std::optional<Table> {
-    const auto found = tables.find(name);
-    if (found == tables.end()) return std::nullopt;
-    return table_from(name, found->second);
-  });
-}
+ private:
+  std::map<std::string, Table> tables_;
+};
 
 }  // namespace clipscope::experiments

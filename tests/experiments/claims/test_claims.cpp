@@ -1,220 +1,389 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
 #include <set>
 
+#include "experiments/accuracy/rows.hpp"
+#include "experiments/bounds/rows.hpp"
 #include "experiments/claims/claim.hpp"
+#include "experiments/cost/rows.hpp"
+#include "experiments/depth/rows.hpp"
+#include "experiments/frontier/rows.hpp"
+#include "experiments/guard_band/rows.hpp"
+#include "experiments/hard_cases/rows.hpp"
+#include "experiments/perspective/rows.hpp"
+#include "experiments/pictures/rows.hpp"
+#include "experiments/plane_order/rows.hpp"
+#include "experiments/segments/rows.hpp"
+#include "experiments/w_sign/rows.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/claims/fabricated.hpp"
 
-using namespace clipscope::experiments;
-
+namespace clipscope::experiments::claims {
 namespace {
 
-// A run in which every claim is confirmed, each table as small as its judges allow.
-TableTexts all_confirmed() {
-  TableTexts t;
-  t["cost"] =
-      "mix;clipper;scalar;ns_per_triangle;speedup_to_textbook;speedup_low;speedup_high\n"
-      "soup;view/sutherland_hodgman;float;50;2;1.9;2.1\n"
-      "soup;view/exact_sign;float;60;1.6;1.5;1.7\n"
-      "soup;homogeneous/sutherland_hodgman;float;25;4;3.9;4.1\n"
-      "soup;homogeneous/pipeline;float;26;3.9;3.8;4\n"
-      "soup;cvv/near_first;float;33;3;2.9;3.1\n"
-      "soup;cvv/naive;float;30;3;2.9;3.1\n"
-      "soup;cvv/perspective;float;33;3;2.9;3.1\n"
-      "soup;barycentric/distance_matrix;float;30;3;2.9;3.1\n"
-      "soup;view/batch;float;10;10;9.9;10.1\n"
-      "soup;homogeneous/batch;float;5;20;19.9;20.1\n"
-      "soup;barycentric/batch;float;6;17;16.9;17.1\n"
-      "soup;whole/any_outside;float;12;8;7.9;8.1\n";
-  t["cost_operations"] =
-      "mix;clipper;additions;multiplications;divisions;comparisons\n"
-      "soup;view/sutherland_hodgman;20;30;4;20\n"
-      "soup;homogeneous/sutherland_hodgman;10;10;4;20\n"
-      "soup;cvv/near_first;12;10;8;20\n"
-      "soup;cvv/naive;12;10;12;20\n";
-  t["accuracy"] =
-      "scene;clipper;scalar;max_px\n"
-      "teapot;view/sutherland_hodgman;float;0\n"
-      "teapot;homogeneous/sutherland_hodgman;float;0\n";
-  t["perspective_clip"] =
-      "clipper;scalar;max_error\ncvv/naive;exact;0.4\ncvv/perspective;exact;0\n";
-  t["frontier"] =
-      "set;contract;clipper;scalar;ns_per_triangle;correctly_rounded_percent;wrong_percent\n"
-      "soup;full;homogeneous/sutherland_hodgman;float;25;80;0\n"
-      "soup;full;homogeneous/sutherland_hodgman;exact;2500;100;0\n"
-      "soup;copy;homogeneous/batch;float;5;80;0\n"
-      "soup;copy;barycentric/correctly_rounded_batch;float;50;100;0\n";
-  t["pictures"] = "scene;clipper;holes_px\nfloor;whole/any_outside;900\n";
-  t["hard_cases"] =
-      "primitive;clipper;scalar;failures\n"
-      "triangle;homogeneous/sutherland_hodgman;float;20\n"
-      "triangle;homogeneous/w_first_1_16384;float;20\n"
-      "triangle;homogeneous/w_first_1e-5;float;19\n";
-  t["w_sign_prevented"] =
-      "clipper;zero_w\nhomogeneous/sutherland_hodgman;7\nhomogeneous/w_first_1e-5;0\n";
-  t["w_sign_epsilon"] = "clipper;lost_percent\nhomogeneous/w_first_1e-5;0\n";
-  t["plane_order"] =
-      "set;exact_triangles;exact_mixed_w;exact_differs;exact_wrong;float_differs;"
-      "float_differs_percent;max_px;float_wrong_near_first;float_wrong_near_last\n"
-      "all;1000;400;0;3;0;0;0;10;10\n";
-  t["segments"] =
-      "mix;clipper;scalar;speedup_to_cohen_sutherland;speedup_low;speedup_high\n"
-      "inside;homogeneous/liang_barsky;float;1;0.9;1.1\n"
-      "outside;homogeneous/liang_barsky;float;1;0.9;1.1\n";
-  t["segments_operations"] =
-      "mix;clipper;rejected_percent;rejected_free_percent;divisions_per_accepted;"
-      "divisions_per_rejected;divisions_per_shortened;moved_ends_per_shortened\n"
-      "window_1_64;homogeneous/cohen_sutherland;90;90;0;0.1;1.2;1\n"
-      "cross_several;homogeneous/cohen_sutherland;0;-;0;-;2.5;1.5\n"
-      "window_1_64;homogeneous/liang_barsky;90;90;0;0;1.2;1\n";
-  t["segments_intersection"] =
-      "form;multiplications;divisions\n"
-      "any plane: n . (x - p) >= 0;6;1\n"
-      "side of the frustum in view space: near x + left z >= 0;4;1\n"
-      "clip space, perspective: w + x >= 0;0;1\n"
-      "clip space, oblique parallel;0;1\n";
-  t["bounds"] = "scene;bound;closer_percent;visible_lost\nteapots;box;20;0\nteapots;sphere;30;0\n";
-  t["guard_band_points"] = "scene;drawn;differ\nfloor;1000;0\n";
-  t["guard_band_pictures"] = "scene;vertices;holes_px;extra_px\nfloor;float;0;0\n";
-  t["depth"] =
-      "convention;buffer;transform;far_near_ratio;misordered_percent;tied_percent\n"
-      "reversed;float32;float;1000;0;1\n"
-      "zero_to_one;float32;float;1000;2;10\n"
-      "gl;float32;float;1000;2;12\n";
-  t["depth_monotone"] =
-      "form;property;arithmetic;violations\n"
-      "linear;monotone;exact;0\n"
-      "linear;lines stay straight;exact;0\n"
-      "quadratic;lines stay straight;exact;99\n"
-      "quadratic;nearer wins;exact;12\n";
-  t["claims_clipless"] = "scene;speedup\nfloor;1.5\n";
-  t["claims_counts"] =
-      "quantity;cases;count\n"
-      "disagrees, depth [-1, 1];100;0\n"
-      "disagrees, depth [0, 1];100;0\n"
-      "disagrees, depth reversed;100;0\n"
-      "fan triangles wound the other way, cut in clip space;100;0\n"
-      "fan triangles wound the other way, divided first;100;0\n"
-      "leaves 4 vertices;100;100\n"
-      "leaves fewer: another vertex is on the plane;100;0\n"
-      "leaves anything else;100;0\n"
-      "attribute at t in clip space is wrong;100;0\n"
-      "attribute at t after the divide is wrong;100;0\n"
-      "corners off the plane, aspect 1;5;0\n"
-      "corners off the plane, aspect not 1;20;0\n"
-      "a convex polygon leaves one that is not;100;0\n"
-      "a concave polygon leaves several;100;30\n"
-      "t in clip space is not t in view space;100;0\n"
-      "t after the divide is not t in view space;100;99\n"
-      "denominator 0;100;0\n"
-      "denominator overflows;100;1\n"
-      "9 vertices;100;5\n"
-      "more than 9 vertices;100;0\n"
-      "view/sutherland_hodgman differs;100;0\n"
-      "homogeneous/sutherland_hodgman differs;100;0\n"
-      "cvv/near_first differs;100;0\n"
-      "clip coordinates are (1, 1, -20/9, 0);1;1\n";
-  return t;
+// So many ns, and so many times faster than the baseline, to 0.1.
+Timing timing(double ns, double speedup) {
+  Timing timing;
+  timing.ns = {ns, ns, ns};
+  timing.speedup = {speedup, speedup - 0.1, speedup + 0.1};
+  return timing;
 }
+
+std::vector<cost::Row> costs() {
+  std::vector<cost::Row> rows;
+  const auto add = [&](const char* clipper, double ns, double speedup) {
+    rows.push_back({"soup", clipper, "float", timing(ns, speedup)});
+  };
+  add("view/sutherland_hodgman", 50, 2);
+  add("view/exact_sign", 60, 1.6);
+  add("homogeneous/sutherland_hodgman", 25, 4);
+  add("homogeneous/pipeline", 26, 3.9);
+  add("cvv/near_first", 33, 3);
+  add("cvv/naive", 30, 3);
+  add("cvv/perspective", 33, 3);
+  add("barycentric/distance_matrix", 30, 3);
+  add("view/batch", 10, 10);
+  add("homogeneous/batch", 5, 20);
+  add("barycentric/batch", 6, 17);
+  add("whole/any_outside", 12, 8);
+  return rows;
+}
+
+std::vector<frontier::Row> contests() {
+  using R = frontier::Row;
+  std::vector<R> rows;
+  const auto add = [&](Contract contract, const char* clipper, const char* scalar, double ns,
+                       double right) {
+    rows.push_back(row_with<R>(&R::set, "soup", &R::contract, contract, &R::clipper, clipper,
+                               &R::scalar, scalar, &R::timing, timing(ns, 1),
+                               &R::correctly_rounded_percent, right, &R::wrong_percent, 0));
+  };
+  add(Contract::full, "homogeneous/sutherland_hodgman", "float", 25, 80);
+  add(Contract::full, "homogeneous/sutherland_hodgman", "exact", 2500, 100);
+  add(Contract::copy, "homogeneous/batch", "float", 5, 80);
+  add(Contract::copy, "barycentric/correctly_rounded_batch", "float", 50, 100);
+  return rows;
+}
+
+std::vector<segments::OperationsRow> segment_operations() {
+  using R = segments::OperationsRow;
+  R small = row_with<R>(&R::mix, "window_1_64", &R::clipper, "homogeneous/cohen_sutherland",
+                        &R::rejected_percent, 90, &R::rejected_free_percent, 90,
+                        &R::divisions_per_accepted, 0, &R::divisions_per_rejected, 0.1,
+                        &R::divisions_per_shortened, 1.2, &R::moved_ends_per_shortened, 1);
+  R several = row_with<R>(&R::mix, "cross_several", &R::clipper, "homogeneous/cohen_sutherland",
+                          &R::rejected_percent, 0, &R::divisions_per_accepted, 0,
+                          &R::divisions_per_shortened, 2.5, &R::moved_ends_per_shortened, 1.5);
+  R liang_barsky = small;
+  liang_barsky.clipper = "homogeneous/liang_barsky";
+  liang_barsky.divisions_per_rejected = 0;
+  return {small, several, liang_barsky};
+}
+
+std::vector<CountRow> counts() {
+  std::vector<CountRow> rows;
+  const auto add = [&](const char* quantity, std::int64_t count, std::int64_t cases = 100) {
+    rows.push_back({0, "", quantity, cases, count});
+  };
+  add("disagrees, depth [-1, 1]", 0);
+  add("disagrees, depth [0, 1]", 0);
+  add("disagrees, depth reversed", 0);
+  add("fan triangles wound the other way, cut in clip space", 0);
+  add("fan triangles wound the other way, divided first", 0);
+  add("leaves 4 vertices", 100);
+  add("leaves fewer: another vertex is on the plane", 0);
+  add("leaves anything else", 0);
+  add("attribute at t in clip space is wrong", 0);
+  add("attribute at t after the divide is wrong", 0);
+  add("corners off the plane, aspect 1", 0, 5);
+  add("corners off the plane, aspect not 1", 0, 20);
+  add("a convex polygon leaves one that is not", 0);
+  add("a concave polygon leaves several", 30);
+  add("t in clip space is not t in view space", 0);
+  add("t after the divide is not t in view space", 99);
+  add("denominator 0", 0);
+  add("denominator overflows", 1);
+  add("9 vertices", 5);
+  add("more than 9 vertices", 0);
+  add("view/sutherland_hodgman differs", 0);
+  add("homogeneous/sutherland_hodgman differs", 0);
+  add("cvv/near_first differs", 0);
+  add("clip coordinates are (1, 1, -20/9, 0)", 1, 1);
+  return rows;
+}
+
+void add_geometry(Fabricated& run) {
+  using Accuracy = accuracy::Row;
+  using Cut = perspective::CutRow;
+  const auto drawn = [](const char* clipper) {
+    Accuracy row = row_with<Accuracy>(&Accuracy::clipper, clipper, &Accuracy::scalar, "float");
+    row.figures.px = Spread{0, 0};
+    return row;
+  };
+  run.set<Accuracy>({drawn("view/sutherland_hodgman"), drawn("homogeneous/sutherland_hodgman")});
+  run.set<Cut>(
+      {row_with<Cut>(&Cut::clipper, "cvv/naive", &Cut::scalar, "exact", &Cut::max_error, 0.4),
+       row_with<Cut>(&Cut::clipper, "cvv/perspective", &Cut::scalar, "exact")});
+  run.set<pictures::Row>(
+      {row_with<pictures::Row>(&pictures::Row::scene, "floor", &pictures::Row::clipper,
+                               "whole/any_outside", &pictures::Row::holes_px, 900)});
+  guard_band::PointTally points;
+  points.drawn = 1000;
+  run.set<guard_band::PointsRow>({{"floor", points}});
+  run.set<guard_band::PictureRow>(
+      {row_with<guard_band::PictureRow>(&guard_band::PictureRow::vertices, "float")});
+  run.set<PictureRow>({row_with<PictureRow>(&PictureRow::scene, "floor", &PictureRow::speedup,
+                                            MedianInterval{1.5, 1.5, 1.5})});
+  run.set(counts());
+}
+
+void add_rounding(Fabricated& run) {
+  const auto failing = [](const char* clipper, int failures) {
+    using R = hard_cases::SummaryRow;
+    return row_with<R>(&R::primitive, Primitive::triangle, &R::clipper, clipper, &R::scalar,
+                       "float", &R::failures, failures);
+  };
+  run.set<hard_cases::SummaryRow>({failing("homogeneous/sutherland_hodgman", 20),
+                                   failing("homogeneous/w_first_1_16384", 20),
+                                   failing("homogeneous/w_first_1e-5", 19)});
+  using Prevented = w_sign::PreventedRow;
+  const auto dividing = [](const char* clipper, std::int64_t zero_w) {
+    Prevented row = row_with<Prevented>(&Prevented::clipper, clipper);
+    row.hazards.zero_w = zero_w;
+    return row;
+  };
+  run.set<Prevented>(
+      {dividing("homogeneous/sutherland_hodgman", 7), dividing("homogeneous/w_first_1e-5", 0)});
+  using Epsilon = w_sign::EpsilonRow;
+  run.set<Epsilon>({row_with<Epsilon>(&Epsilon::clipper, "homogeneous/w_first_1e-5")});
+  plane_order::OrdersRow orders =
+      row_with<plane_order::OrdersRow>(&plane_order::OrdersRow::set, "all");
+  orders.exact.triangles = 1000;
+  orders.exact.mixed_w = 400;
+  orders.exact.wrong = 3;
+  orders.in_float.wrong_near_first = orders.in_float.wrong_near_last = 10;
+  run.set<plane_order::OrdersRow>({orders});
+}
+
+void add_depth(Fabricated& run) {
+  const auto precision = [](const char* convention, double misordered, double tied) {
+    using R = depth::PrecisionRow;
+    return row_with<R>(&R::convention, convention, &R::buffer, depth::Stored::float32,
+                       &R::transform, depth::Arithmetic::in_float, &R::far_near_ratio, 1000,
+                       &R::misordered_percent, misordered, &R::tied_percent, tied);
+  };
+  run.set<depth::PrecisionRow>(
+      {precision("reversed", 0, 1), precision("zero_to_one", 2, 10), precision("gl", 2, 12)});
+  using depth::Form;
+  const auto form = [](Form f, const char* property, std::size_t violations) {
+    using R = depth::FormRow;
+    return row_with<R>(&R::form, f, &R::property, property, &R::arithmetic, "exact", &R::violations,
+                       violations);
+  };
+  run.set<depth::FormRow>(
+      {form(Form::linear, "monotone", 0), form(Form::linear, "lines stay straight", 0),
+       form(Form::quadratic, "lines stay straight", 99), form(Form::quadratic, "nearer wins", 12)});
+}
+
+// A run in which every claim is confirmed, each table as small as its judges allow.
+Fabricated all_confirmed() {
+  Fabricated run;
+  run.set(costs());
+  run.set<cost::OperationsRow>({{"soup", "view/sutherland_hodgman", 20, 30, 4, 20},
+                                {"soup", "homogeneous/sutherland_hodgman", 10, 10, 4, 20},
+                                {"soup", "cvv/near_first", 12, 10, 8, 20},
+                                {"soup", "cvv/naive", 12, 10, 12, 20}});
+  run.set(contests());
+  run.set<segments::TimeRow>({{"inside", "homogeneous/liang_barsky", "float", timing(10, 1)},
+                              {"outside", "homogeneous/liang_barsky", "float", timing(10, 1)}});
+  run.set(segment_operations());
+  run.set<segments::IntersectionRow>(
+      {{"any plane: n . (x - p) >= 0", {0, 6, 1}},
+       {"side of the frustum in view space: near x + left z >= 0", {0, 4, 1}},
+       {"clip space, perspective: w + x >= 0", {0, 0, 1}},
+       {"clip space, oblique parallel", {0, 0, 1}}});
+  const auto bounded = [](const char* bound, double closer) {
+    return row_with<bounds::Row>(&bounds::Row::bound, bound, &bounds::Row::closer_percent, closer);
+  };
+  run.set<bounds::Row>({bounded("box", 20), bounded("sphere", 30)});
+  add_geometry(run);
+  add_rounding(run);
+  add_depth(run);
+  return run;
+}
+
+using Alter = std::function<void(Fabricated&)>;
 
 // What one changed row makes of a claim.
 struct Alteration {
   int claim;
-  std::string table, before, after;
-  ClaimVerdict verdict;
+  Alter alter;
+  Verdict verdict;
 };
 
-constexpr auto kConditional = ClaimVerdict::conditional;
-constexpr auto kRefuted = ClaimVerdict::refuted;
-constexpr auto kConfirmed = ClaimVerdict::confirmed;
+// Changes the first row that has the values.
+template <class Row, class... Conditions>
+Alter altered(void (*change)(Row&), Conditions... conditions) {
+  return [=](Fabricated& run) { run.alter(change, conditions...); };
+}
 
-const std::vector<Alteration>& alterations() {
-  static const std::vector<Alteration> all = {
-      {1, "cost", "view/sutherland_hodgman;float;50;2;1.9;2.1",
-       "view/sutherland_hodgman;float;20;5;4.9;5.1", kConditional},
-      {1, "cost", "view/batch;float;10;10;9.9;10.1", "view/batch;float;5;20;19.9;20.1",
-       kConditional},
-      {2, "cost", "cvv/near_first;float;33;3;2.9;3.1", "cvv/near_first;float;25;4;3.9;4.1",
-       kConditional},
-      {2, "cost", "homogeneous/batch;float;5;20;19.9;20.1",
-       "homogeneous/batch;float;10;10;9.9;10.1", kConditional},
-      {3, "cost", "cvv/near_first;float;33;3;2.9;3.1", "cvv/near_first;float;20;5;4.9;5.1",
-       kRefuted},
-      {4, "perspective_clip", "naive;exact;0.4", "naive;exact;0", kRefuted},
-      {4, "perspective_clip", "perspective;exact;0", "perspective;exact;0.1", kRefuted},
-      {5, "claims_counts", "depth [0, 1];100;0", "depth [0, 1];100;8", kConditional},
-      {5, "claims_counts", "depth [-1, 1];100;0", "depth [-1, 1];100;1", kRefuted},
-      {6, "claims_counts", "divided first;100;0", "divided first;100;4", kConditional},
-      {6, "claims_counts", "cut in clip space;100;0", "cut in clip space;100;4", kRefuted},
-      {7, "pictures", "any_outside;900", "any_outside;0", kRefuted},
-      {7, "cost", "any_outside;float;12;8;7.9;8.1", "any_outside;float;26;3.9;3.8;4", kConditional},
-      {8, "claims_counts", "on the plane;100;0", "on the plane;100;3", kConditional},
-      {8, "claims_counts", "anything else;100;0", "anything else;100;3", kRefuted},
-      {9, "claims_counts", "after the divide is wrong;100;0", "after the divide is wrong;100;9",
-       kConditional},
-      {10, "claims_counts", "aspect not 1;20;0", "aspect not 1;20;20", kConditional},
-      {11, "w_sign_epsilon", "1e-5;0", "1e-5;33", kConditional},
-      {11, "w_sign_prevented", "sutherland_hodgman;7", "sutherland_hodgman;0", kRefuted},
-      {12, "claims_counts", "homogeneous/sutherland_hodgman differs;100;0",
-       "homogeneous/sutherland_hodgman differs;100;1", kRefuted},
-      {13, "segments_operations", "cohen_sutherland;90;90", "cohen_sutherland;90;20", kConditional},
-      {14, "segments_operations", "liang_barsky;90;90;0;0;", "liang_barsky;90;90;0;0.5;",
-       kConditional},
-      {15, "cost", "pipeline;float;26;3.9;3.8;4", "pipeline;float;50;2;1.9;2.1", kRefuted},
-      {16, "claims_counts", "leaves several;100;30", "leaves several;100;0", kRefuted},
-      {17, "bounds", "box;20;0", "box;80;0", kConditional},
-      {17, "bounds", "box;20;0", "box;20;1", kRefuted},
-      {18, "segments_intersection", "oblique parallel;0;1", "oblique parallel;2;1", kRefuted},
-      {19, "cost_operations", "cvv/naive;12;10;12;20", "cvv/naive;12;10;4;20", kRefuted},
-      {20, "plane_order", "400;0;3", "400;0;0", kRefuted},
-      {20, "plane_order", "400;0;3;0;0;0;10;10", "400;0;0;0;0;0;10;12", kConditional},
-      {21, "plane_order", "400;0;3;0;", "400;0;3;8;", kConditional},
-      {21, "plane_order", "400;0;3", "400;3;3", kRefuted},
-      {22, "guard_band_pictures", "float;0;0", "float;0;2", kConditional},
-      {22, "guard_band_points", "1000;0", "1000;1", kRefuted},
-      {23, "depth_monotone", "linear;lines stay straight;exact;0",
-       "linear;lines stay straight;exact;1", kRefuted},
-      {24, "claims_counts", "t in clip space is not t in view space;100;0",
-       "t in clip space is not t in view space;100;1", kRefuted},
-      {25, "claims_counts", "denominator 0;100;0", "denominator 0;100;1", kRefuted},
-      {26, "claims_counts", "more than 9 vertices;100;0", "more than 9 vertices;100;1", kRefuted},
-      {26, "claims_counts", "\n9 vertices;100;5", "\n9 vertices;100;0", ClaimVerdict::undecided},
-      {27, "accuracy", "homogeneous/sutherland_hodgman;float;0",
-       "homogeneous/sutherland_hodgman;float;0.1", kConditional},
-      {28, "claims_counts", "(1, 1, -20/9, 0);1;1", "(1, 1, -20/9, 0);1;0", kRefuted},
-      {29, "claims_clipless", "floor;1.5", "floor;1.1", kRefuted},
-      {30, "depth", "reversed;float32;float;1000;0;1", "reversed;float32;float;1000;0;20",
-       kRefuted},
-      {31, "cost", "exact_sign;float;60;1.6;1.5;1.7", "exact_sign;float;160;0.6;0.5;0.7", kRefuted},
-      {32, "frontier", "exact;2500;100;0", "exact;27;100;0", kConditional},
-      {32, "frontier", "rounded_batch;float;50;100;0", "rounded_batch;float;5.2;100;0",
-       kConditional},
-      {32, "frontier", "rounded_batch;float;50;100;0", "rounded_batch;float;-;100;0", kConfirmed},
-      {33, "hard_cases", "1e-5;float;19", "1e-5;float;34", kRefuted},
+// Gives a clipper another time.
+Alter timed(const char* clipper, double ns, double speedup) {
+  return [=](Fabricated& run) {
+    std::vector<cost::Row> rows = costs();
+    for (cost::Row& row : rows) {
+      if (row.clipper == clipper) row.timing = timing(ns, speedup);
+    }
+    run.set(rows);
   };
+}
+
+// Counts other cases for or against a claim.
+Alter counted(const char* quantity, std::int64_t count) {
+  return [=](Fabricated& run) {
+    std::vector<CountRow> rows = counts();
+    for (CountRow& row : rows) {
+      if (row.quantity == quantity) row.count = count;
+    }
+    run.set(rows);
+  };
+}
+
+constexpr auto kConditional = Verdict::conditional;
+constexpr auto kRefuted = Verdict::refuted;
+constexpr auto kConfirmed = Verdict::confirmed;
+
+std::vector<Alteration> alterations_of_cost() {
+  using Contest = frontier::Row;
+  using Segments = segments::OperationsRow;
+  using Cut = perspective::CutRow;
+  return {
+      {1, timed("view/sutherland_hodgman", 20, 5), kConditional},
+      {1, timed("view/batch", 5, 20), kConditional},
+      {2, timed("cvv/near_first", 25, 4), kConditional},
+      {2, timed("homogeneous/batch", 10, 10), kConditional},
+      {3, timed("cvv/near_first", 20, 5), kRefuted},
+      {4,
+       altered(
+           +[](Cut& row) { row.max_error = 0; }, &Cut::clipper, "cvv/naive"),
+       kRefuted},
+      {4,
+       altered(
+           +[](Cut& row) { row.max_error = 0.1; }, &Cut::clipper, "cvv/perspective"),
+       kRefuted},
+      {7, altered(+[](pictures::Row& row) { row.holes_px = 0; }), kRefuted},
+      {7, timed("whole/any_outside", 26, 3.9), kConditional},
+      {13, altered(+[](Segments& row) { row.rejected_free_percent = 20; }), kConditional},
+      {14,
+       altered(
+           +[](Segments& row) { row.divisions_per_rejected = 0.5; }, &Segments::clipper,
+           "homogeneous/liang_barsky"),
+       kConditional},
+      {15, timed("homogeneous/pipeline", 50, 2), kRefuted},
+      {17, altered(+[](bounds::Row& row) { row.closer_percent = 80; }), kConditional},
+      {17, altered(+[](bounds::Row& row) { row.visible_lost = 1; }), kRefuted},
+      {18,
+       altered(
+           +[](segments::IntersectionRow& row) { row.cut.multiplications = 2; },
+           &segments::IntersectionRow::form, "clip space, oblique parallel"),
+       kRefuted},
+      {19,
+       altered(
+           +[](cost::OperationsRow& row) { row.divisions = 4; }, &cost::OperationsRow::clipper,
+           "cvv/naive"),
+       kRefuted},
+      {29, altered(+[](PictureRow& row) { row.speedup->median = 1.1; }), kRefuted},
+      {31, timed("view/exact_sign", 160, 0.6), kRefuted},
+      {32,
+       altered(
+           +[](Contest& row) { row.timing->ns.median = 27; }, &Contest::scalar, "exact"),
+       kConditional},
+      {32,
+       altered(
+           +[](Contest& row) { row.timing->ns.median = 5.2; }, &Contest::clipper,
+           "barycentric/correctly_rounded_batch"),
+       kConditional},
+      {32,
+       altered(
+           +[](Contest& row) { row.timing.reset(); }, &Contest::clipper,
+           "barycentric/correctly_rounded_batch"),
+       kConfirmed},
+  };
+}
+
+std::vector<Alteration> alterations_of_geometry() {
+  return {
+      {5, counted("disagrees, depth [0, 1]", 8), kConditional},
+      {5, counted("disagrees, depth [-1, 1]", 1), kRefuted},
+      {6, counted("fan triangles wound the other way, divided first", 4), kConditional},
+      {6, counted("fan triangles wound the other way, cut in clip space", 4), kRefuted},
+      {8, counted("leaves fewer: another vertex is on the plane", 3), kConditional},
+      {8, counted("leaves anything else", 3), kRefuted},
+      {9, counted("attribute at t after the divide is wrong", 9), kConditional},
+      {10, counted("corners off the plane, aspect not 1", 20), kConditional},
+      {12, counted("homogeneous/sutherland_hodgman differs", 1), kRefuted},
+      {16, counted("a concave polygon leaves several", 0), kRefuted},
+      {22, altered(+[](guard_band::PictureRow& row) { row.extra_px = 2; }), kConditional},
+      {22, altered(+[](guard_band::PointsRow& row) { row.tally.differ = 1; }), kRefuted},
+      {24, counted("t in clip space is not t in view space", 1), kRefuted},
+      {25, counted("denominator 0", 1), kRefuted},
+      {26, counted("more than 9 vertices", 1), kRefuted},
+      {26, counted("9 vertices", 0), Verdict::undecided},
+      {27,
+       altered(
+           +[](accuracy::Row& row) { row.figures.px->max = 0.1; }, &accuracy::Row::clipper,
+           "homogeneous/sutherland_hodgman"),
+       kConditional},
+      {28, counted("clip coordinates are (1, 1, -20/9, 0)", 0), kRefuted},
+  };
+}
+
+std::vector<Alteration> alterations_of_rounding() {
+  using Orders = plane_order::OrdersRow;
+  return {
+      {11, altered(+[](w_sign::EpsilonRow& row) { row.loss.lost_percent = 33; }), kConditional},
+      {11, altered(+[](w_sign::PreventedRow& row) { row.hazards.zero_w = 0; }), kRefuted},
+      {20, altered(+[](Orders& row) { row.exact.wrong = 0; }), kRefuted},
+      {20, altered(+[](Orders& row) {
+         row.exact.wrong = 0;
+         row.in_float.wrong_near_last = 12;
+       }),
+       kConditional},
+      {21, altered(+[](Orders& row) { row.in_float.differs = 8; }), kConditional},
+      {21, altered(+[](Orders& row) { row.exact.differs = 3; }), kRefuted},
+      {23,
+       altered(
+           +[](depth::FormRow& row) { row.violations = 1; }, &depth::FormRow::property,
+           "lines stay straight"),
+       kRefuted},
+      {30, altered(+[](depth::PrecisionRow& row) { row.tied_percent = 20; }), kRefuted},
+      {33,
+       altered(
+           +[](hard_cases::SummaryRow& row) { row.failures = 34; },
+           &hard_cases::SummaryRow::clipper, "homogeneous/w_first_1e-5"),
+       kRefuted},
+  };
+}
+
+std::vector<Alteration> alterations() {
+  std::vector<Alteration> all = alterations_of_cost();
+  for (const Alteration& a : alterations_of_geometry()) all.push_back(a);
+  for (const Alteration& a : alterations_of_rounding()) all.push_back(a);
   return all;
 }
 
-const Claim& claim_number(int number) {
-  for (const Claim& claim : all_claims()) {
-    if (claim.number == number) return claim;
-  }
-  throw std::out_of_range("no such claim");
-}
-
-}  // namespace
-
 TEST_CASE("claims: there are 33, numbered in order, each with a statement and an experiment") {
-  REQUIRE(all_claims().size() == 33);
-  for (std::size_t i = 0; i < all_claims().size(); ++i) {
-    CHECK(all_claims()[i].number == static_cast<int>(i) + 1);
-    CHECK_FALSE(all_claims()[i].statement.empty());
-    CHECK_FALSE(all_claims()[i].experiment.empty());
+  const std::vector<Claim> claims = all_claims();
+  REQUIRE(claims.size() == 33);
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    CHECK(claims[i].number == static_cast<int>(i) + 1);
+    CHECK_FALSE(claims[i].statement.empty());
+    CHECK_FALSE(claims[i].experiment.empty());
   }
 }
 
 TEST_CASE("claims: figures in favour confirm every claim") {
-  const Results results = results_from(all_confirmed());
+  const Results results = all_confirmed().results();
   for (const Claim& claim : all_claims()) {
     INFO("claim " << claim.number << ": " << judge(claim, results).because);
     CHECK(judge(claim, results).verdict == kConfirmed);
@@ -222,16 +391,14 @@ TEST_CASE("claims: figures in favour confirm every claim") {
 }
 
 TEST_CASE("claims: altered figures change the verdict") {
+  const std::vector<Claim> claims = all_claims();
   for (const Alteration& a : alterations()) {
-    INFO("claim " << a.claim << ": " << a.before << " -> " << a.after);
-    TableTexts tables = all_confirmed();
-    std::string& text = tables.at(a.table);
-    const std::size_t at = text.find(a.before);
-    REQUIRE(at != std::string::npos);
-    text.replace(at, a.before.size(), a.after);
-    const Finding finding = judge(claim_number(a.claim), results_from(tables));
-    INFO(finding.because);
-    CHECK(finding.verdict == a.verdict);
+    Fabricated run = all_confirmed();
+    a.alter(run);
+    const Judgement judgement =
+        judge(claims.at(static_cast<std::size_t>(a.claim) - 1), run.results());
+    INFO("claim " << a.claim << ": " << judgement.because);
+    CHECK(judgement.verdict == a.verdict);
   }
 }
 
@@ -243,9 +410,12 @@ TEST_CASE("claims: every claim has a figure that changes its verdict") {
 
 TEST_CASE("claims: without its figures every claim is undecided and says what is missing") {
   for (const Claim& claim : all_claims()) {
-    const Finding finding = judge(claim, results_from({}));
+    const Judgement judgement = judge(claim, Fabricated().results());
     INFO("claim " << claim.number);
-    CHECK(finding.verdict == ClaimVerdict::undecided);
-    CHECK(finding.because.find("table ") != std::string::npos);
+    CHECK(judgement.verdict == Verdict::undecided);
+    CHECK(judgement.because.find("table ") != std::string::npos);
   }
 }
+
+}  // namespace
+}  // namespace clipscope::experiments::claims

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/claims/counts.hpp"
+#include "experiments/claims/rows.hpp"
 
 #include <map>
 
@@ -7,28 +7,26 @@
 #include "reference/exact_clip.hpp"
 #include "tests/catch.hpp"
 
-using namespace clipscope;
-using namespace clipscope::experiments;
-
+namespace clipscope::experiments::claims {
 namespace {
 
-std::map<std::string, ExactCount> counts_of(int claim) {
-  std::map<std::string, ExactCount> counts;
+std::map<std::string, CountRow> counts_of(int claim) {
+  std::map<std::string, CountRow> counts;
   for (const CountingTask& task : counting_tasks()) {
     if (task.claim != claim) continue;
-    for (const ExactCount& c : task.run(1, 200)) counts[c.quantity] = c;
+    for (const CountRow& row : count_cases(task, 1, 200)) counts[row.quantity] = row;
   }
   return counts;
 }
 
-}  // namespace
-
 TEST_CASE("claims: every count has cases, and the same seed gives the same") {
   for (const CountingTask& task : counting_tasks()) {
     INFO("claim " << task.claim);
-    const auto first = task.run(7, 50), second = task.run(7, 50);
+    const auto first = count_cases(task, 7, 50), second = count_cases(task, 7, 50);
     REQUIRE(first.size() == second.size());
     for (std::size_t i = 0; i < first.size(); ++i) {
+      CHECK(first[i].claim == task.claim);
+      CHECK(first[i].title == task.title);
       CHECK(first[i].cases > 0);
       CHECK(first[i].count <= first[i].cases);
       CHECK(first[i].cases == second[i].cases);
@@ -54,7 +52,7 @@ TEST_CASE("claims: theorems have no counterexample and false claims have some") 
 TEST_CASE("claims: a vertex outside one plane leaves four vertices, or fewer with another on it") {
   for (const CountingTask& task : counting_tasks()) {
     if (task.claim != 8) continue;
-    const auto counts = task.run(1, 4000);  // as many as a full run
+    const auto counts = count_cases(task, 1, 4000);  // as many as a full run
     CHECK(counts[0].count + counts[1].count == counts[0].cases);
     CHECK(counts[1].count > 0);
     CHECK(counts[2].count == 0);
@@ -81,3 +79,6 @@ TEST_CASE("claims: convex polygons have their whole picture in front of the eye"
     for (const auto& v : convex_clip_polygon(random)) CHECK(v.position[3] > Exact(0));
   }
 }
+
+}  // namespace
+}  // namespace clipscope::experiments::claims

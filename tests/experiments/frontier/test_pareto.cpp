@@ -4,10 +4,10 @@
 #include <limits>
 #include <random>
 
-#include "experiments/measure/pareto.hpp"
+#include "experiments/frontier/pareto.hpp"
 #include "tests/catch.hpp"
 
-using namespace clipscope::experiments;
+using namespace clipscope::experiments::frontier;
 
 namespace {
 

@@ -5,12 +5,10 @@
 
 #include "experiments/contestants/scalars.hpp"
 #include "experiments/perspective/affine_error.hpp"
-#include "experiments/perspective/edge_search.hpp"
-#include "experiments/perspective/scene_ratios.hpp"
+#include "experiments/perspective/measure.hpp"
 #include "tests/catch.hpp"
 
-using namespace clipscope::experiments;
-
+namespace clipscope::experiments::perspective {
 namespace {
 
 Exact ratio(int numerator, int denominator) { return Exact(numerator) / Exact(denominator); }
@@ -60,15 +58,15 @@ TEST_CASE("affine error: from w = 1 to w = 4 two thirds of the screen are one th
 
 TEST_CASE("affine error: the bound is attained to the bit and passed nowhere") {
   const double root = GENERATE(1.0, 1 + 0x1p-14, 1.25, 2.0, 7.0, 100.0);
-  const EdgeSearch search = search_edges(root, {.edge_steps = 64, .triangles = 200, .seed = 3});
+  const RatioRow row = search_edges(root, {.edge_steps = 64, .triangles = 200, .seed = 3});
   CAPTURE(root);
-  CHECK(search.attained);
-  CHECK(search.beyond == 0);
-  CHECK(search.points == 2 * 65 + 200);
-  CHECK(search.ratio == root * root);
-  CHECK(search.on_edges <= search.bound);
-  CHECK(search.inside <= search.bound);
-  CHECK(search.inside >= 0.9 * search.bound);
+  CHECK(row.attained);
+  CHECK(row.beyond == 0);
+  CHECK(row.points == 2 * 65 + 200);
+  CHECK(row.ratio == root * root);
+  CHECK(row.on_edges <= row.bound);
+  CHECK(row.inside <= row.bound);
+  CHECK(row.inside >= 0.9 * row.bound);
 }
 
 TEST_CASE("affine error: a bound that is the slightest bit smaller is passed") {
@@ -109,27 +107,4 @@ TEST_CASE("affine error: at its ratio an error is the largest, to the bit") {
   CHECK(ratio_at_error(ratio(1, 3)) == Exact(4));
 }
 
-TEST_CASE("scene need: a polygon at one distance needs no correction") {
-  const std::array<TextureCorner, 4> square = {{{3, 0, 0}, {3, 1, 0}, {3, 1, 1}, {3, 0, 1}}};
-  const PolygonNeed need = need_of(square);
-  CHECK(need.ratio == 1);
-  CHECK(need.error == 0);
-  CHECK(need.error_split == 0);
-}
-
-TEST_CASE("scene need: the worst edge counts, in u or in v, and splitting shortens it") {
-  const bool in_v = GENERATE(false, true);
-  const TextureCorner far = in_v ? TextureCorner{4, 0, 1} : TextureCorner{4, 1, 0};
-  const std::array<TextureCorner, 3> triangle = {{{1, 0, 0}, far, {1, 0, 0}}};
-  const PolygonNeed need = need_of(triangle);
-  CHECK(need.ratio == 4);
-  CHECK(need.error == Approx(1.0 / 3));
-  // Of its four parts the nearest is the worst: from w = 1 to 1.75 over a quarter of the texture.
-  CHECK(need.error_split == Approx(0.25 * affine_bound(1, 1.75)));
-}
-
-TEST_CASE("scene need: a diagonal of the fan counts as an edge") {
-  // Along all four sides either w or the texture stays the same; from corner 0 to corner 2 both change.
-  const std::array<TextureCorner, 4> square = {{{1, 0, 0}, {1, 1, 0}, {9, 1, 0}, {9, 0, 0}}};
-  CHECK(need_of(square).error == Approx(0.5));
-}
+}  // namespace clipscope::experiments::perspective

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Orders of planes: the tree cuts as clippers do, and a dependence on the order is found where there is one.
+// Orders of planes: the tree cuts as clippers do, and a dependence on the order is found where one
+// is.
 #include <bit>
 #include <map>
 #include <set>
 
-#include "experiments/plane_order/tables.hpp"
-#include "experiments/report/row_view.hpp"
-#include "spaces/homogeneous/sutherland_hodgman.hpp"
+#include "experiments/plane_order/rows.hpp"
 #include "tests/catch.hpp"
 
 using namespace clipscope;
 using namespace clipscope::experiments;
+using namespace clipscope::experiments::plane_order;
 
 namespace {
 
@@ -42,19 +42,19 @@ void check_same(const NdcPolygon<float, K>& a, const NdcPolygon<float, K>& b) {
 
 TEST_CASE("orders: there are 720, each once") {
   std::set<std::string> texts;
-  for (const Order& order : all_orders()) texts.insert(order_text(order));
+  for (const Order& order : kAllOrders) texts.insert(order_text(order));
   CHECK(texts.size() == 720);
   CHECK(texts.contains("NFLRBT"));
-  CHECK(order_text(near_first_order()) == "NFLRBT");
-  CHECK(order_text(near_last_order()) == "LRBTFN");
-  CHECK(position_of(Plane::near, near_first_order()) == 1);
-  CHECK(position_of(Plane::near, near_last_order()) == 6);
+  CHECK(order_text(kNearFirst) == "NFLRBT");
+  CHECK(order_text(kNearLast) == "LRBTFN");
+  CHECK(kNearFirst.front() == Plane::near);
+  CHECK(kNearLast.back() == Plane::near);
 }
 
 TEST_CASE("orders: n planes have n! orders, and as many of the 720 amount to each") {
   for (Outcode planes = 1; planes < 64; ++planes) {
     std::map<std::size_t, int> counts;
-    for (const Order& order : all_orders()) ++counts[restricted(order, planes)];
+    for (const Order& order : kAllOrders) ++counts[restricted(order, planes)];
     const int n = std::popcount(planes);
     int factorial = 1;
     for (int i = 2; i <= n; ++i) factorial *= i;
@@ -69,9 +69,9 @@ TEST_CASE("orders: the tree's results have the bits of the clippers with that or
     const TriangleSet set = set_of(name, 60);
     for (const CutTriangle& t : set.triangles) {
       const auto all = OrderTree<float, K>::cut_all(set.depth, t.planes, t.triangle);
-      check_same(all[restricted(near_first_order(), t.planes)].polygon,
+      check_same(all[restricted(kNearFirst, t.planes)].polygon,
                  clipped<HomogeneousSutherlandHodgman>(set, t));
-      check_same(all[restricted(near_last_order(), t.planes)].polygon,
+      check_same(all[restricted(kNearLast, t.planes)].polygon,
                  clipped<HomogeneousNearLast>(set, t));
     }
   }
@@ -101,7 +101,7 @@ TEST_CASE("orders: float bits depend on the order; wrong answers are seen as suc
   CHECK(rounded.wrong_in_some > 0);
   CHECK(rounded.near_last_px > 0);
   std::size_t reference = 0;
-  while (all_orders()[reference] != near_first_order()) ++reference;
+  while (kAllOrders[reference] != kNearFirst) ++reference;
   CHECK(rounded.orders[reference].differs == 0);
   CHECK(rounded.orders[reference].moved_px == 0);
   for (const OrderTally& tally : rounded.orders) {
@@ -114,20 +114,56 @@ TEST_CASE("orders: float bits depend on the order; wrong answers are seen as suc
 
 TEST_CASE(
     "orders: the row of all sets adds counts, recomputes shares and takes the largest distance") {
-  Table table = orders_table();
+  std::vector<OrdersRow> rows;
   for (const char* name : {"mixed_w", "lattice"}) {
-    SetResult result{set_of(name, 30), {}, {}, {}};
-    result.in_float = measure_rounded<float>(result.set);
-    result.in_double = measure_rounded<double>(result.set);
-    result.exact.differs = 2;
-    add_set(result, table);
+    const TriangleSet set = set_of(name, 30);
+    rows.push_back(orders_row(name, {.differs = 2}, measure_rounded<float>(set),
+                              measure_rounded<double>(set)));
   }
-  const Table with = with_all(table);
-  const RowView a(with, 0), b(with, 1), all(with, 2);
-  CHECK(all.text("set") == "all");
-  CHECK(all.count("triangles") == 60);
-  CHECK(all.count("exact_differs") == 4);
-  CHECK(all.number("max_px") == std::max(a.number("max_px"), b.number("max_px")));
-  CHECK(all.number("float_differs_percent") ==
-        Approx((a.number("float_differs_percent") + b.number("float_differs_percent")) / 2));
+  const OrdersRow all = total(rows);
+  const OrdersRow::Rounded &a = rows[0].in_float, &b = rows[1].in_float;
+  CHECK(all.set == "all");
+  CHECK(all.triangles == 60);
+  CHECK(all.exact.differs == 4);
+  CHECK(all.in_float.max_px == std::max(a.max_px, b.max_px));
+  CHECK(all.in_float.differs_percent == Approx((a.differs_percent + b.differs_percent) / 2));
+  CHECK(all.in_float.wrong_near_first == a.wrong_near_first + b.wrong_near_first);
+}
+
+TEST_CASE("orders: each place of the near plane has 120 orders; near first is not moved") {
+  const TriangleSet set = set_of("slivers", 40);
+  const std::vector<ClassRow> rows = class_rows("slivers", measure_rounded<double>(set));
+  REQUIRE(rows.size() == 8);
+  for (std::size_t i = 0; i < 6; ++i) {
+    CHECK(rows[i].orders_class == near_at(static_cast<int>(i) + 1));
+    CHECK(rows[i].orders == 120);
+    CHECK(rows[i].fewest_wrong <= rows[i].most_wrong);
+  }
+  CHECK(rows[6].orders_class == "NFLRBT");
+  CHECK(rows[6].orders == 1);
+  CHECK(rows[6].max_px == 0);
+  CHECK(rows[7].orders_class == "LRBTFN");
+  for (const ClassRow& row : rows) CHECK(row.scalar == "double");
+}
+
+TEST_CASE("orders: the finding and the plots are made from rows alone") {
+  OrdersRow all{.set = "all", .triangles = 200, .exact = {.triangles = 20, .mixed_w = 7}};
+  all.in_float = {.differs = 100, .differs_percent = 50, .max_px = 3, .wrong_near_first = 2};
+  const TimeRow timed{"soup", "homogeneous/near_last", "float", {}, MedianInterval{1.5, 1.25, 2}};
+  const TimeRow refused{"floor", "homogeneous/near_last", "float"};
+  const std::string text = finding(all, {timed, refused});
+  CHECK(text.find("for 0 of 20 triangles (7 of them") != std::string::npos);
+  CHECK(
+      text.find(
+          "In float 50.0 % have other bits in some order, moved by up to 3.00 px; wrong are 1.00 % by near first and 0 % by near last. Near last takes 1.50 (1.25 to 2.00) on soup times as long as near first.") !=
+      std::string::npos);
+  CHECK(finding(all, {refused}).find("Near last takes") == std::string::npos);
+  const std::vector<ClassRow> rows = {
+      {.set = "a", .scalar = "float", .orders_class = near_at(1), .wrong_percent = 4},
+      {.set = "a", .scalar = "float", .orders_class = near_at(3), .wrong_percent = 5},
+      {.set = "a", .scalar = "double", .orders_class = near_at(2), .wrong_percent = 6}};
+  const Plot plot = wrong_plot(rows);
+  REQUIRE(plot.series.size() == 1);
+  CHECK(plot.series[0].x == std::vector<double>{1, 3});
+  CHECK(plot.series[0].y == std::vector<double>{4, 5});
 }

@@ -27,9 +27,7 @@ inline FrameBuffer empty_buffer(int width, int height) {
 
 inline int covered_pixels(const FrameBuffer& buffer) {
   int n = 0;
-  for (std::size_t i = 0; i < buffer.pixels(); ++i) {
-    n += buffer.covered(i);
-  }
+  for (std::size_t i = 0; i < buffer.pixels(); ++i) n += buffer.covered(i);
   return n;
 }
 

@@ -5,10 +5,14 @@
 
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "experiments/report/report_page.hpp"
+#include "experiments/machine/files.hpp"
+#include "experiments/report/report.hpp"
+#include "experiments/store/database.hpp"
+#include "experiments/store/run_recorder.hpp"
 
 namespace clipscope::experiments {
 
@@ -75,32 +79,57 @@ inline std::string sample_png() {
   return {reinterpret_cast<const char*>(kBytes), sizeof kBytes};
 }
 
+struct SampleFigure {
+  StoredFigure figure;
+  std::string bytes;  // of its file; empty: there is none
+};
+
+struct SampleExperiment {
+  StoredExperiment experiment;
+  std::vector<Table> tables = {};
+  std::vector<SampleFigure> figures = {};
+};
+
+using SampleRun = std::vector<SampleExperiment>;
+
 // plots: SVG files as write_plot leaves them.
-inline ReportContent sample_content(const std::vector<std::string>& plots) {
-  ReportExperiment sample{
-      .name = "sample",
-      .question = "Does a < b & c > d hold?",
-      .command = "clipscope run sample --out 'my results'",
-      .finding = "It holds for 3 of 4 <triangles>.",
-      .seconds = 2,
-      .tables = {sample_odd(), sample_long(), Table("empty", "No rows", {{"a", "a"}, {"b", "b"}})},
-      .more_tables = {},
-      .figures = {}};
+inline SampleRun sample_run(const std::vector<std::string>& plots) {
+  SampleExperiment sample{
+      {"sample", "Does a < b & c > d hold?", "clipscope run sample --out 'my results'",
+       "It holds for 3 of 4 <triangles>.", 2, true},
+      {sample_odd(), sample_long(), Table("empty", "No rows", {{"a", "a"}, {"b", "b"}})}};
   for (const std::string& svg : plots) {
-    sample.figures.push_back({true, "image/svg+xml", svg, "plot.svg", "A plot", "What it shows"});
+    const std::string number = std::to_string(sample.figures.size() + 1);
+    sample.figures.push_back(
+        {{FigureKind::plot, "plot" + number + ".svg", "A plot", "What it shows"}, svg});
   }
-  sample.figures.push_back({false, "image/png", sample_png(), "a.png", "", "A \"picture\""});
-  sample.figures.push_back({false, "image/png", "", "gone.png", "", "Not there"});
-  ReportExperiment unfinished;
-  unfinished.name = "unfinished";
-  unfinished.finished = false;
-  ReportExperiment claims{.name = "claims",
-                          .question = "Which claims hold?",
-                          .command = "clipscope run claims",
-                          .finding = "One of five.",
-                          .tables = {sample_claims()}};
-  return {{{"machine", "a processor <fast>"}, {"commit", "0123abc"}, {"flags", ""}},
-          {sample, unfinished, claims}};
+  sample.figures.push_back({{FigureKind::picture, "a.png", "", "A \"picture\""}, sample_png()});
+  sample.figures.push_back({{FigureKind::picture, "gone.png", "", "Not there"}, ""});
+  const SampleExperiment unfinished{{"unfinished", "", "", "", 0, false}};
+  const SampleExperiment claims{
+      {"claims", "Which claims hold?", "clipscope run claims", "One of five.", 0, true},
+      {sample_claims()}};
+  return {sample, unfinished, claims};
+}
+
+// The run's store in memory, its figures in the folder.
+inline ResultsStore store_of(const SampleRun& run, const std::filesystem::path& folder) {
+  RunRecorder recorder(
+      create_database({},
+                      {{"machine", "a processor <fast>"}, {"commit", "0123abc"}, {"flags", ""}}),
+      {});
+  std::int64_t position = 0;
+  for (const auto& [experiment, tables, figures] : run) {
+    recorder.begin(experiment, position++);
+    for (const Table& table : tables) recorder.add(table);
+    for (const auto& [figure, bytes] : figures) {
+      recorder.add(figure);
+      if (!bytes.empty()) write_file(folder / figure.file, bytes);
+    }
+    recorder.set_finding(experiment.finding);
+    if (experiment.finished) recorder.finish(experiment.seconds);
+  }
+  return recorder.store();
 }
 
 }  // namespace clipscope::experiments

@@ -8,12 +8,9 @@
 #include <stdexcept>
 #include <thread>
 
-#include "experiments/errors.hpp"
+#include "experiments/machine/errors.hpp"
 #include "experiments/report/plot.hpp"
-#include "experiments/report/plot_axis.hpp"
-#include "experiments/report/plot_labels.hpp"
 #include "experiments/report/plot_layout.hpp"
-#include "experiments/report/plot_script.hpp"
 #include "tests/catch.hpp"
 
 using namespace clipscope::experiments;

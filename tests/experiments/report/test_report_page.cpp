@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
-#include "experiments/errors.hpp"
-#include "experiments/report/html.hpp"
-#include "experiments/report/report_page.hpp"
-#include "experiments/report/table_html.hpp"
-#include "experiments/report/utf8.hpp"
+#include "experiments/machine/errors.hpp"
+#include "experiments/report/report.hpp"
+#include "experiments/table/utf8.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/report/sample_page.hpp"
 
@@ -17,6 +17,14 @@ namespace {
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+std::string page_of(const SampleRun& run) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("clipscope-page-" + std::to_string(getpid()));
+  const std::string page = report_page(store_of(run, folder), folder);
+  std::filesystem::remove_all(folder);
+  return page;
 }
 
 }  // namespace
@@ -30,8 +38,7 @@ TEST_CASE("html: what HTML would read as markup is escaped") {
 
 TEST_CASE("html: bytes that are no UTF-8 become the replacement character") {
   const std::string mark = "\xEF\xBF\xBD";
-  CHECK(valid_utf8("a\xff"
-                   "b") == "a" + mark + "b");
+  CHECK(valid_utf8(std::string("a\xff") + "b") == "a" + mark + "b");
   CHECK(valid_utf8("\xc0\xaf") == mark + mark);                        // overlong /
   CHECK(valid_utf8("\xed\xa0\x80") == mark + mark + mark);             // a surrogate
   CHECK(valid_utf8("\xe2\x82") == mark + mark);                        // cut off
@@ -76,7 +83,7 @@ TEST_CASE("table in a page: an experiment is a link only if the page has it") {
 }
 
 TEST_CASE("page: claims come first, then the findings, then the experiments in their order") {
-  const std::string page = report_page(sample_content({}));
+  const std::string page = page_of(sample_run({}));
   const auto at = [&](const std::string& id) { return page.find("<section id=\"" + id + "\""); };
   CHECK(at("claims") < at("findings"));
   CHECK(at("findings") < at("sample"));
@@ -85,29 +92,29 @@ TEST_CASE("page: claims come first, then the findings, then the experiments in t
 }
 
 TEST_CASE("page: verdicts are counted from the table of claims") {
-  const std::string page = report_page(sample_content({}));
+  const std::string page = page_of(sample_run({}));
   CHECK(contains(page, "<li>2 <span class=\"verdict refuted\">"));
   CHECK(contains(page, "<li>1 <span class=\"verdict confirmed\">"));
-  ReportContent altered = sample_content({});
-  altered.experiments.back().tables[0].add_row(
+  SampleRun altered = sample_run({});
+  altered.back().tables[0].add_row(
       {std::int64_t{6}, std::string("c"), std::string("refuted"), std::string("b"), Cell()});
-  CHECK(contains(report_page(altered), "<li>3 <span class=\"verdict refuted\">"));
+  CHECK(contains(page_of(altered), "<li>3 <span class=\"verdict refuted\">"));
 }
 
 TEST_CASE("page: what is missing is said, not left out") {
-  const std::string page = report_page(sample_content({}));
+  const std::string page = page_of(sample_run({}));
   CHECK(contains(page, "in the middle of this experiment"));
   CHECK(contains(page, "gone.png can't be read"));
-  ReportContent content = sample_content({});
-  content.experiments[0].finding.clear();
-  CHECK(contains(report_page(content), "left no finding"));
-  CHECK(contains(report_page({}), "left no finding"));
-  CHECK(contains(report_page(sample_content({"no picture"})), "plot.svg can't be read"));
+  SampleRun content = sample_run({});
+  content[0].experiment.finding.clear();
+  CHECK(contains(page_of(content), "left no finding"));
+  CHECK(contains(page_of({}), "left no finding"));
+  CHECK(contains(page_of(sample_run({"no picture"})), "plot1.svg can't be read"));
 }
 
 TEST_CASE("page: a plot stands in it as it is, a picture in base64 with its size") {
-  const std::string page = report_page(
-      sample_content({"<?xml version=\"1.0\"?>\n<svg viewBox=\"0 0 1 1\"><path/></svg>"}));
+  const std::string page =
+      page_of(sample_run({"<?xml version=\"1.0\"?>\n<svg viewBox=\"0 0 1 1\"><path/></svg>"}));
   CHECK(contains(page,
                  "<svg role=\"img\" aria-label=\"A plot. What it shows\" viewBox=\"0 0 1 1\">"));
   CHECK_FALSE(contains(page, "<?xml"));
@@ -117,24 +124,27 @@ TEST_CASE("page: a plot stands in it as it is, a picture in base64 with its size
 }
 
 TEST_CASE("page: many pictures are folded") {
-  ReportContent content = sample_content({});
-  CHECK_FALSE(contains(report_page(content), "<details class=\"album\">"));
-  auto& figures = content.experiments[0].figures;
-  for (int i = 0; i < 20; ++i) figures.push_back(figures[0]);
-  CHECK(contains(report_page(content), "<summary>22 pictures</summary>"));
+  SampleRun content = sample_run({});
+  CHECK_FALSE(contains(page_of(content), "<details class=\"album\">"));
+  auto& figures = content[0].figures;
+  for (int i = 0; i < 20; ++i) {
+    figures.push_back(figures[0]);
+    figures.back().figure.file = std::to_string(i) + ".png";
+  }
+  CHECK(contains(page_of(content), "<summary>22 pictures</summary>"));
 }
 
 TEST_CASE("page: nothing of the results is read as the template's") {
-  ReportContent content = sample_content({});
-  content.experiments[0].finding = "{{script}} {{nothing}}";
-  CHECK(contains(report_page(content), "{{script}} {{nothing}}"));
+  SampleRun content = sample_run({});
+  content[0].experiment.finding = "{{script}} {{nothing}}";
+  CHECK(contains(page_of(content), "{{script}} {{nothing}}"));
 }
 
 TEST_CASE("page: a folder that is a file is an error that names it") {
   const auto file = std::filesystem::temp_directory_path() / "clipscope-page-file";
   std::ofstream(file) << "in the way";
-  CHECK_THROWS_WITH(write_report_page({}, file / "report.html"),
+  CHECK_THROWS_WITH(write_report(store_of({}, {}), file),
                     Catch::Contains((file / "report.html").string()));
-  CHECK_THROWS_AS(write_report_page({}, file / "report.html"), OutputError);
+  CHECK_THROWS_AS(write_report(store_of({}, {}), file), OutputError);
   std::filesystem::remove(file);
 }

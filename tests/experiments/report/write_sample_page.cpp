@@ -42,8 +42,8 @@ int main(int argc, char* argv[]) {
                     .y = {.label = "t [ns]"},
                     .series = {{.name = "float", .x = {}, .y = {1, 2}}},
                     .categories = {"one", "two & <three>"}};
-    write_report_page(sample_content({drawn(lines, folder), drawn(bars, folder)}),
-                      folder / "report.html");
+    const SampleRun run = sample_run({drawn(lines, folder), drawn(bars, folder)});
+    write_report(store_of(run, folder), folder);
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

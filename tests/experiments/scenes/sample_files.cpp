@@ -19,9 +19,7 @@ template <class T>
 void append(std::string& bytes, T value, bool big_endian = false) {
   std::array<char, sizeof(T)> raw;
   std::memcpy(raw.data(), &value, sizeof(T));
-  if (big_endian) {
-    std::ranges::reverse(raw);
-  }
+  if (big_endian) std::ranges::reverse(raw);
   bytes.append(raw.data(), raw.size());
 }
 
@@ -215,9 +213,7 @@ std::vector<SampleFile> sample_files() {
 
 std::string replaced(std::string text, const std::string& part, const std::string& by) {
   const std::size_t at = text.find(part);
-  if (at == std::string::npos) {
-    throw std::logic_error("the sample has no '" + part + "'");
-  }
+  if (at == std::string::npos) throw std::logic_error("the sample has no '" + part + "'");
   return text.replace(at, part.size(), by);
 }
 

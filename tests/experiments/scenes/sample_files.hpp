@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Small mesh files of each format, all of the same pyramid: the square base (0,0,0) (1,0,0) (1,1,0)
-// (0,1,0) and the apex (0.5,0.5,1), in the order of kPyramid. Text formats hold the base as a polygon
-// where they can.
+// (0,1,0) and the apex (0.5,0.5,1), in the order of kPyramid. Text formats hold the base as a
+// polygon where they can.
 #pragma once
 
 #include <array>
@@ -44,8 +44,8 @@ std::string sample_stl_binary();
 // One node with translation (10, 20, 30) over one with the mesh and scale 2.
 std::string sample_gltf();  // buffer as a data URI
 std::string sample_glb();   // buffer as a chunk
-// The JSON of a glTF file with such a member for the buffer's place, such as "\"uri\":\"a.bin\",", and
-// the bytes of the buffer.
+// The JSON of a glTF file with such a member for the buffer's place, such as "\"uri\":\"a.bin\",",
+// and the bytes of the buffer.
 std::string sample_gltf_json(const std::string& uri_member);
 std::string sample_gltf_buffer();
 std::string as_glb(const std::string& json, const std::string& buffer);

@@ -1,51 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/measure/stage_timing.hpp"
+#include "experiments/contestants/stage_runner.hpp"
+#include "experiments/selection/select.hpp"
+#include "experiments/stage/stage_timing.hpp"
 #include "tests/catch.hpp"
-#include "tests/experiments/stage/inputs.hpp"
+#include "tests/experiments/contestants/stage_inputs.hpp"
 
 using namespace clipscope;
 using namespace clipscope::experiments;
 
 namespace {
 
-const StageTimingOptions kFew{
+const StageClock kFew{
     .rounds = 5, .milliseconds_per_run = 0.2, .check = {.triangles = 2000, .exact = 16}};
 
-// Draws nothing.
-class Lazy final : public StageContestant {
+// Draws nothing, and notes which triangles it is asked for.
+class Lazy final : public StageRunner {
  public:
-  Lazy()
-      : StageContestant("lazy", "float", "plain", StageContract::copy, StagePromise::float_chain) {}
-  void clip(const StageInput& input, std::size_t, std::size_t) override {
-    stride_ = input.stride();
-  }
-  StageAnswer answer() const override { return {{}, {}, {}, stride_}; }
+  Lazy(const StageInput& input, std::vector<std::size_t>* seen)
+      : StageRunner(Contract::copy, input), seen_(seen) {}
 
  private:
-  std::size_t stride_ = 4;
-};
-
-// Notes which triangles it is asked for.
-class Recorder final : public StageContestant {
- public:
-  explicit Recorder(std::vector<std::size_t>& seen)
-      : StageContestant("recorder", "float", "plain", StageContract::copy,
-                        StagePromise::float_chain),
-        seen_(seen) {}
-  void clip(const StageInput&, std::size_t first, std::size_t count) override {
-    seen_.resize(std::max(seen_.size(), first + count));
-    for (std::size_t t = first; t < first + count; ++t) ++seen_[t];
+  void clip_stage(std::size_t first, std::size_t count) override {
+    if (seen_ == nullptr) return;
+    seen_->resize(std::max(seen_->size(), first + count));
+    for (std::size_t t = first; t < first + count; ++t) ++(*seen_)[t];
   }
   StageAnswer answer() const override { return {}; }
 
- private:
-  std::vector<std::size_t>& seen_;
+  std::vector<std::size_t>* seen_;
 };
 
-const StageTiming* fastest_of(const StageMeasurement& m, std::string_view contract) {
+Contestant lazy(std::vector<std::size_t>* seen = nullptr) {
+  return {.clipper = "lazy",
+          .format = &kFormat<float>,
+          .contract = Contract::copy,
+          .prepare_stage = [=](const StageInput& input) -> std::unique_ptr<Runner> {
+            return std::make_unique<Lazy>(input, seen);
+          }};
+}
+
+const StageTiming* fastest_of(const StageMeasurement& m, Contract contract) {
   const StageTiming* fastest = nullptr;
   for (const StageTiming& t : m.contestants) {
-    if (t.contract != contract) continue;
+    if (t.contestant->contract != contract) continue;
     if (fastest == nullptr || t.timing.ns.median < fastest->timing.ns.median) fastest = &t;
   }
   return fastest;
@@ -58,17 +55,17 @@ TEST_CASE("stage timing: every honest contestant has a sample per round and its 
   const StageMeasurement m = measure_stage(input, stage_contestants(input), kFew);
   REQUIRE(m.contestants.size() > 3);
   for (const StageTiming& t : m.contestants) {
-    INFO(t.method << " " << t.contract << " " << t.timing.refused);
+    INFO(name_of(*t.contestant) << " " << t.timing.refused);
     REQUIRE(t.timing.refused.empty());
     CHECK(t.timing.samples_ns.size() == 5);
     CHECK(t.timing.ns.low > 0);
-    CHECK(t.timing.speedup.median > 0);
+    CHECK(t.timing.speedup.value().median > 0);
     CHECK(t.limit_percent.median > 0);
     CHECK(t.times_fastest.median > 0);
     CHECK(t.bytes.out > 0);
   }
-  CHECK(m.contestants[0].timing.speedup.median == 1);
-  for (const char* contract : {"copy", "reference"}) {
+  CHECK(m.contestants[0].timing.speedup.value().median == 1);
+  for (const Contract contract : {Contract::copy, Contract::number}) {
     const auto* fastest = fastest_of(m, contract);
     REQUIRE(fastest != nullptr);
     CHECK(fastest->times_fastest.median == 1);
@@ -80,10 +77,9 @@ TEST_CASE("stage timing: every honest contestant has a sample per round and its 
 
 TEST_CASE("stage timing: who draws nothing is refused, with the reason") {
   const StageInput input = small_soup();
-  StageContestants contestants;
-  contestants.push_back(stage_textbook());
-  contestants.push_back(std::make_unique<Lazy>());
-  const StageMeasurement m = measure_stage(input, contestants, kFew);
+  const Contestant nothing = lazy();
+  const StageMeasurement m =
+      measure_stage(input, {stage_contestants(input).front(), &nothing}, kFew);
   CHECK(m.contestants[1].timing.samples_ns.empty());
   CHECK(m.contestants[1].timing.refused.find("inside") != std::string::npos);
 }
@@ -92,9 +88,9 @@ TEST_CASE(
     "stage timing: a run takes the next blocks, so that in the end all triangles had a part") {
   const StageInput input = random_input("soup", {.inside = 1}, 3 * kStageBlock + 5, 4, 1);
   std::vector<std::size_t> seen;
-  Recorder recorder(seen);
-  StageRun run(recorder, input);
-  for (int i = 0; i < 8; ++i) run.run();
+  const Contestant recorder = lazy(&seen);
+  const Task task = stage_task(recorder, input, {});
+  for (int i = 0; i < 8; ++i) task.work(task.least_share);
   REQUIRE(seen.size() == input.array_size());
   for (const std::size_t times : seen) CHECK(times == 2);
 }
@@ -103,11 +99,11 @@ TEST_CASE("stage limits: bytes are those of the arrays") {
   const StageInput input = small_soup(100);
   CHECK(bytes_of(MemoryPass::read_positions, input) == 3 * 4 * sizeof(float));
   CHECK(bytes_of(MemoryPass::read_everything, input) == 3 * 8 * sizeof(float));
-  const StageBytes copy = stage_bytes(input, StageContract::copy, 7);
+  const StageBytes copy = stage_bytes(input, Contract::copy, 7);
   CHECK(copy.total() == 96 + 7);
-  const StageBytes reference = stage_bytes(input, StageContract::reference, 7);
-  CHECK(reference.positions == 48);
-  CHECK(reference.rest == Approx(0.3 * 48));
+  const StageBytes number = stage_bytes(input, Contract::number, 7);
+  CHECK(number.positions == 48);
+  CHECK(number.rest == Approx(0.3 * 48));
 }
 
 TEST_CASE("stage limits: the limit is what the passes take for the same bytes") {

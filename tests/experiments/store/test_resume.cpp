@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The program interrupted, resumed, and out of room: its tables are those of a run without all that.
+// The program interrupted, resumed, and out of room: its tables are those of a run without all
+// that.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -14,7 +15,7 @@
 #include <vector>
 
 #include "tests/catch.hpp"
-#include "tests/experiments/program.hpp"
+#include "tests/experiments/commands/program.hpp"
 
 namespace {
 
@@ -22,8 +23,7 @@ namespace fs = std::filesystem;
 
 // Without timings, and of three cells.
 const std::string kRun =
-    "run accuracy --quick --scene teapot --scene floor --scene corridor --scalar float,double "
-    "--sample 60 ";
+    "run accuracy --quick --scene teapot --scene floor --scene corridor --scalar float,double --sample 60 ";
 
 // A run in its own process, which can be killed.
 pid_t start(const std::string& arguments) {
@@ -218,8 +218,7 @@ TEST_CASE("diff: a figure altered in the store is found, exit 1; other runs are 
   CHECK(folder.run(diff).code == 0);
   SQLite::Database((b / "results.sqlite").string(), SQLite::OPEN_READWRITE)
       .exec(
-          "UPDATE accuracy SET max_px = 77.25 WHERE scene = 'floor' AND clipper = 'textbook' AND "
-          "scalar = 'double'; UPDATE run SET value = 'another' WHERE key = 'machine'");
+          "UPDATE accuracy SET max_px = 77.25 WHERE scene = 'floor' AND clipper = 'textbook' AND scalar = 'double'; UPDATE run SET value = 'another' WHERE key = 'machine'");
   const Result r = folder.run(diff);
   INFO(r.out);
   CHECK(r.code == 1);

@@ -12,7 +12,7 @@
 #include <limits>
 #include <string>
 
-#include "experiments/errors.hpp"
+#include "experiments/machine/errors.hpp"
 #include "experiments/store/database.hpp"
 #include "experiments/store/results_store.hpp"
 #include "experiments/store/run_folder.hpp"
@@ -85,7 +85,7 @@ TEST_CASE("store: every kind of value comes back with its bits and its type") {
   {
     RunRecorder recorder = new_recorder(folder.store());
     begin(recorder, "one");
-    recorder.record("cell", {&table}, [&](CellRecord&) {
+    recorder.record("cell", {&table}, [&](PieceRecord&) {
       for (const Cell& value : kAllKinds) table.add_row({std::string("cell"), value});
     });
     for (const Cell& value : kAllKinds) table.add_row({std::string("plain"), value});
@@ -110,18 +110,18 @@ TEST_CASE("store: a table of results is an SQL table of its name") {
     RunRecorder recorder = new_recorder(folder.store());
     begin(recorder, "one");
     Table table = small_table("table");  // a keyword of SQL
-    recorder.record("first", {&table}, [&](CellRecord&) {
+    recorder.record("first", {&table}, [&](PieceRecord&) {
       table.add_row({std::string("a"), 0.25});
     });
-    recorder.record("second", {&table}, [&](CellRecord&) {
+    recorder.record("second", {&table}, [&](PieceRecord&) {
       table.add_row({std::string("b"), std::int64_t{7}});
     });
     recorder.add(table);
   }
   const SQLite::Database database(folder.store().string());
-  SQLite::Statement query(database,
-                          "SELECT t.value, c.name FROM \"table\" t JOIN cell c ON c.id = t.cell_id "
-                          "WHERE t.what = 'b'");
+  SQLite::Statement query(
+      database,
+      "SELECT t.value, c.name FROM \"table\" t JOIN cell c ON c.id = t.cell_id WHERE t.what = 'b'");
   REQUIRE(query.executeStep());
   CHECK(query.getColumn(0).getInt() == 7);
   CHECK(query.getColumn(1).getString() == "second");
@@ -133,7 +133,7 @@ TEST_CASE("store: samples, worst inputs, figures, findings and notes are kept") 
   {
     RunRecorder recorder = new_recorder(folder.store());
     begin(recorder, "one", 4);
-    recorder.record("cell", {}, [&](CellRecord& record) {
+    recorder.record("cell", {}, [&](PieceRecord& record) {
       record.samples.push_back({"textbook", "ns", {1.5, 2.5}});
       record.worst_inputs.push_back({"textbook", "float", "position_px", 0.5, "0x1p-1", "replay"});
       record.pictures.push_back({"a.png", "what is seen"});
@@ -172,7 +172,7 @@ TEST_CASE("store: a cell that throws leaves nothing") {
   begin(recorder, "one");
   Table table = small_table();
   CHECK_THROWS_AS(recorder.record("cell", {&table},
-                                  [&](CellRecord&) {
+                                  [&](PieceRecord&) {
                                     table.add_row({std::string("a"), 1.0});
                                     throw InputError("no");
                                   }),
@@ -186,7 +186,7 @@ TEST_CASE("store: a cell comes back once stored, and again if its picture is gon
   const TestFolder folder;
   std::ofstream(folder.path / "a.png") << "picture";
   const auto work = [](Table& table) {
-    return [&table](CellRecord& record) {
+    return [&table](PieceRecord& record) {
       table.add_row({std::string("a"), 1.0});
       record.pictures.push_back({"a.png", ""});
     };
@@ -233,7 +233,7 @@ TEST_CASE("store: a table is complete when it was added, not before") {
   RunRecorder recorder;
   begin(recorder, "one");
   Table table = small_table();
-  recorder.record("cell", {&table}, [&](CellRecord&) { table.add_row({std::string("a"), 1.0}); });
+  recorder.record("cell", {&table}, [&](PieceRecord&) { table.add_row({std::string("a"), 1.0}); });
   CHECK_FALSE(recorder.added("small"));
   CHECK(recorder.store().table("small").rows().size() == 1);
   recorder.add(table);

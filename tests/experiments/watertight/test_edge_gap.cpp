@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "experiments/selection/select.hpp"
 #include "experiments/watertight/edge_gap.hpp"
 #include "tests/catch.hpp"
+#include "tests/experiments/contestants/handmade.hpp"
 
-using namespace clipscope;
-using namespace clipscope::experiments;
-
+namespace clipscope::experiments::watertight {
 namespace {
 
 using Vertex4 = NdcVertex<float, kSceneAttributes>;
@@ -18,11 +18,11 @@ using Polygon4 = std::vector<Vertex4>;
 constexpr float kPx = 2.0f / 3840;  // in x
 constexpr float kMarked = std::numeric_limits<float>::quiet_NaN();
 
-// Attribute 0 is 0 on the edge and a mark off it.
+// Attribute 1 is 0 on edge 0 and a mark off it.
 Vertex4 vertex(float x, float y, float mark) {
   Vertex4 v;
   v.position = {x, y, 0, 1};
-  v.attributes.values = {mark, 0, 0, 0};
+  v.attributes.values = {0, mark, 0, 0};
   return v;
 }
 
@@ -37,7 +37,8 @@ Polygon4 right_of_edge() {
 constexpr double kWide = 1e6;
 
 EdgeGap gap_between(const Polygon4& a, const Polygon4& b, double width_px = kWide) {
-  return edge_gap<float>({a, 0, width_px}, {b, 0, width_px});
+  const Answers first = answer_of(a), second = answer_of(b);
+  return edge_gap({first[0], 0, width_px}, {second[0], 0, width_px});
 }
 
 }  // namespace
@@ -66,7 +67,7 @@ TEST_CASE("edge gap: a vertex moved across the edge opens a crack of that width"
 TEST_CASE("edge gap: a difference in the last bit of anything compared is no identity") {
   const int coordinate = GENERATE(0, 1, 2, 3, 4);
   Polygon4 right = right_of_edge();
-  float& changed = coordinate < 4 ? right[0].position[coordinate] : right[0].attributes[kCarried];
+  float& changed = coordinate < 4 ? right[0].position[coordinate] : right[0].attributes[0];
   changed = std::nextafter(changed, 2.0f);
   CHECK_FALSE(gap_between(left_of_edge(), right).identical);
 }
@@ -105,3 +106,23 @@ TEST_CASE("edge gap: repeated vertices count once") {
   right.push_back(right[2]);
   CHECK(gap_between(left_of_edge(), right).identical);
 }
+
+TEST_CASE("edge gap: a triangle is marked by NaN, for barycentric and exact clippers by 1") {
+  SceneTriangle triangle{};
+  for (auto& v : triangle) v.position = {7, 0, -1};
+  const SceneTriangle by_nan = marked(triangle, find_contestant("textbook", "float"));
+  const SceneTriangle by_one = marked(triangle, find_contestant("textbook", "exact"));
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (int edge = 0; edge < 3; ++edge) {
+      const bool opposite = static_cast<int>(i) == edge;
+      CHECK(std::isnan(by_nan[i].attributes[1 + edge]) == opposite);
+      CHECK(by_one[i].attributes[1 + edge] == (opposite ? 1 : 0));
+    }
+    CHECK(by_nan[i].attributes[0] == 7);
+  }
+  CHECK(
+      marked(triangle, find_contestant("barycentric/distance_matrix", "float"))[2].attributes[3] ==
+      1);
+}
+
+}  // namespace clipscope::experiments::watertight

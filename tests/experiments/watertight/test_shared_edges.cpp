@@ -2,19 +2,14 @@
 //
 // Which edges triangles share, and which of them clipping touches.
 #include "experiments/scenes/builtin.hpp"
-#include "experiments/scenes/families.hpp"
-#include "experiments/watertight/grazing.hpp"
-#include "experiments/watertight/plane_views.hpp"
 #include "experiments/watertight/shared_edges.hpp"
 #include "tests/catch.hpp"
 
-using namespace clipscope;
-using namespace clipscope::experiments;
-
+namespace clipscope::experiments::watertight {
 namespace {
 
-// Two triangles in view space with corners 0 1 2 and 1 0 3, as seen by the identity view with the sides
-// |x| <= |z|, |y| <= |z|, near 1, far 100.
+// Two triangles in view space with corners 0 1 2 and 1 0 3, as seen by the identity view with the
+// sides |x| <= |z|, |y| <= |z|, near 1, far 100.
 Scene quad(const std::array<std::array<float, 3>, 4>& corners) {
   Scene scene;
   for (const auto& p : corners) add_vertex(scene.mesh, {p[0], p[1], p[2]}, {});
@@ -107,28 +102,12 @@ TEST_CASE("cut edges: the width beside an edge is that of the visible part, in p
   CHECK(cut[0].width_px[1] == Approx(1080));
 }
 
-TEST_CASE("views by plane: each plane alone, several, and none cut edges of the teapot") {
-  const Scene scene = cut_by_every_plane(make_builtin_scene("teapot", {.quick = true}));
-  CHECK(scene.views.size() == 28);
-  const auto edges = shared_edges(scene.mesh);
-  std::array<int, 64> seen{};
-  for (const View& view : scene.views) {
-    for (const CutEdge& e : cut_edges(scene, view, edges, 200)) ++seen[e.planes];
-  }
-  for (const Plane plane : kAllPlanes) CHECK(seen[bit(plane)] > 20);
-  CHECK(seen[0] > 20);
-  CHECK(seen[bit(Plane::left) | bit(Plane::right)] == 0);  // it is not that large
+TEST_CASE("evenly spaced: at most so many remain, from the first on; 0 leaves all") {
+  const std::vector<int> items = {0, 1, 2, 3, 4, 5, 6};
+  CHECK(evenly_spaced(items, 0) == items);
+  CHECK(evenly_spaced(items, 7) == items);
+  CHECK(evenly_spaced(items, 3) == std::vector<int>{0, 3, 6});
+  CHECK(evenly_spaced(items, 6) == std::vector<int>{0, 2, 4, 6});
 }
 
-TEST_CASE("grazing: only one neighbour crosses the plane that the edge lies by") {
-  const Scene scene = make_grazing_scene(500, 3);
-  int different = 0, all = 0;
-  for (const CutEdge& e : cut_in(scene)) {
-    ++all;
-    different += e.different_neighbours;
-  }
-  CHECK(all > 100);
-  CHECK(different > all / 2);
-  CHECK(make_grazing_scene(500, 3).mesh.positions == scene.mesh.positions);
-  CHECK(make_grazing_scene(500, 4).mesh.positions != scene.mesh.positions);
-}
+}  // namespace clipscope::experiments::watertight

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Looks up the clipper named on the command line in the list of all, and runs it in float and double.
+// Looks up the clipper named on the command line in the list of all, and runs it in float and
+// double.
 #include <cstdio>
 #include <spaces/clippers.hpp>
 #include <string_view>
@@ -19,9 +20,7 @@ bool clips_at_the_right() {
   NdcPolygon<T, 1> polygon;
   C{}(projection, triangle, polygon);
   T right(-2);
-  for (const NdcVertex<T, 1>& v : polygon) {
-    right = larger(right, v.position[0]);
-  }
+  for (const NdcVertex<T, 1>& v : polygon) right = larger(right, v.position[0]);
   std::printf("%.*s: %d vertices, rightmost x = %g\n", static_cast<int>(C::name.size()),
               C::name.data(), polygon.size(), static_cast<double>(right));
   return polygon.size() == 4 && right == T(1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the batch clippers promise beside the polygons: order, reuse of memory, threads, NaN and infinity.
+// What the batch clippers promise beside the polygons: order, reuse of memory, threads, NaN and
+// infinity.
 #include <optional>
 #include <set>
 #include <string_view>

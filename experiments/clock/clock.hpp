@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Time that can be believed: the one clock of the project.
+//
+// Inputs are prepared before. Each task's answer is checked first, and one that breaks its promise
+// is not timed. Then the tasks run in turn, round after round, each once per round, in an order
+// that rotates; a slow one does a share of its work, a quick one its work several times over. From
+// the rounds come the median time per item with its 95 % interval and, round by round, the ratio to
+// the baseline's time in that same round, so that a drift of the machine's speed cancels. The
+// thread is pinned to one processor where that is allowed; threads that were started before are
+// not.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "experiments/table/row.hpp"
+#include "experiments/table/statistics.hpp"
+
+namespace clipscope::experiments {
+
+struct Task {
+  // Does this share of the work (above 1: so many times all of it); the number of items it did.
+  std::function<std::size_t(double share)> work;
+  // What is wrong with the answer; empty if nothing is.
+  std::function<std::string()> check;
+  // Makes ready for the work before each run, off the clock; null where nothing is to be done.
+  std::function<void()> prepare = nullptr;
+  // The clock chooses the share between these, so that a run takes about as long as it should.
+  double least_share = 1, most_share = 1;
+};
+
+inline constexpr double kRepeated = std::numeric_limits<double>::infinity();  // as most_share
+
+// The check of a task that answers nothing, such as a pass over memory.
+inline std::string nothing_to_check() { return ""; }
+
+struct ClockOptions {
+  int rounds = 25;
+  double milliseconds_per_run = 2.0;      // a task's part of a round
+  std::optional<std::size_t> baseline{};  // the task that ratios refer to
+};
+
+struct Timing {
+  MedianInterval ns;                      // per item
+  std::optional<MedianInterval> speedup;  // the baseline's time over this one's: above 1 is faster
+  std::vector<double> samples_ns;         // one per round
+  std::string refused;                    // why it was not timed; then the rest is empty
+
+  bool is_timed() const { return refused.empty(); }
+
+  // item: what is counted; baseline: the name of who ratios refer to, and how a heading has it.
+  static constexpr auto columns(std::string_view key = "ns_per_triangle",
+                                std::string_view head = "ns/tri",
+                                std::string_view speedup_key = "speedup_to_textbook",
+                                std::string_view speedup_head = "x textbook") {
+    return std::tuple(interval(key, "ns", head, &Timing::ns),
+                      interval(speedup_key, "speedup", speedup_head, &Timing::speedup));
+  }
+};
+
+// As the cells of a row: empty for a task that was not timed.
+inline std::optional<Timing> if_timed(const Timing& timing) {
+  return timing.is_timed() ? std::optional(timing) : std::nullopt;
+}
+
+// One timing per task, in their order.
+std::vector<Timing> time_in_turn(std::span<const Task> tasks, const ClockOptions& options);
+
+// Sample by sample, one over the other. Pre-condition: as many in both.
+std::vector<double> ratios(std::span<const double> numerators,
+                           std::span<const double> denominators);
+
+}  // namespace clipscope::experiments

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/commands/options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+
+#include "experiments/contestants/scalars.hpp"
+
+namespace clipscope::experiments::commands {
+namespace {
+
+// Empty unless the whole text is numbers separated by single commas.
+std::vector<double> parse_numbers(const std::string& text) {
+  std::vector<double> numbers;
+  const char* next = text.c_str();
+  while (true) {
+    char* end = nullptr;
+    numbers.push_back(std::strtod(next, &end));
+    if (end == next || (*end != ',' && *end != '\0')) return {};
+    if (*end == '\0') return numbers;
+    next = end + 1;
+  }
+}
+
+void add_camera_options(CLI::App& command, CameraOptions& camera) {
+  const std::string group = "Camera (without --eye: a walk around and through the mesh)";
+  const auto add_vector = [&](const char* name, std::optional<glm::dvec3>& value,
+                              const char* help) {
+    const auto set = [&value](const std::vector<double>& v) {
+      value = glm::dvec3(v[0], v[1], v[2]);
+    };
+    add_number_list(command, name, 3, "X,Y,Z", set, help)->group(group);
+  };
+  const auto add = [&](const char* name, auto& value, const char* help) {
+    command.add_option(name, value, help)->group(group);
+  };
+  add_vector("--eye", camera.eye, "Where the camera is");
+  add_vector("--target", camera.target, "What it looks at [centre of the mesh]");
+  add_vector("--up", camera.up, "Which way is up [0,1,0]");
+  add("--fovy", camera.fovy_degrees, "Vertical angle of view in degrees [60]");
+  add("--aspect", camera.aspect, "Width over height of the picture [16:9]");
+  add("--near", camera.near, "Distance of the near plane [from the mesh]");
+  add("--far", camera.far, "Distance of the far plane [from the mesh]");
+  add("--walk", camera.walk, "Number of camera positions of the walk [6]");
+}
+
+bool reads_floats(const PrimitiveTextOptions& options) {
+  return options.scalar == kFormat<float>.name || options.scalar == kFormat<Counted>.name;
+}
+
+std::vector<std::string> split(std::string_view line) {
+  constexpr std::string_view kBetween = ", \t\n\v\f\r";
+  line = line.substr(0, line.find('#'));
+  std::vector<std::string> words;
+  for (auto i = line.find_first_not_of(kBetween); i != line.npos;
+       i = line.find_first_not_of(kBetween)) {
+    line.remove_prefix(i);
+    words.emplace_back(line.substr(0, line.find_first_of(kBetween)));
+    line.remove_prefix(words.back().size());
+  }
+  return words;
+}
+
+// The number rounded once to the format that is read. Errors: InputError.
+double parse_number(const std::string& word, bool as_float, const std::string& place) {
+  char* end = nullptr;
+  const double value = as_float ? std::strtof(word.c_str(), &end) : std::strtod(word.c_str(), &end);
+  if (end != word.c_str() + word.size()) {
+    throw InputError(fmt::format(
+        "{}: '{}' is not a number; expected a decimal such as -0.25 or a hex float such as -0x1p-2",
+        place, word));
+  }
+  if (std::isfinite(value)) return value;
+  throw InputError(fmt::format("{}: '{}' is not finite{}; expected a finite number", place, word,
+                               as_float ? " as a float" : ""));
+}
+
+// What a line must hold, in numbers.
+struct LineShape {
+  Primitive primitive;
+  std::size_t dimension, per_vertex;
+
+  bool fits(std::size_t numbers) const {
+    if (primitive != Primitive::polygon) return numbers == vertices_of(primitive) * per_vertex;
+    return numbers >= 3 * per_vertex && numbers % per_vertex == 0;
+  }
+  std::string text(const PrimitiveTextOptions& options) const {
+    const std::size_t n = vertices_of(primitive);
+    std::string count = std::to_string(n * per_vertex);
+    std::string vertices = fmt::format("{} {}", n, n == 1 ? "vertex" : "vertices");
+    if (primitive == Primitive::polygon) {
+      count = fmt::format("a multiple of {} from {}", per_vertex, 3 * per_vertex);
+      vertices = "3 or more vertices";
+    }
+    return fmt::format("a {} in {} space takes {}: {} of {} coordinates and {} attributes",
+                       to_string(primitive), options.space, count, vertices, dimension,
+                       options.attributes);
+  }
+};
+
+std::vector<TextPrimitive> read_stream(std::istream& in, const PrimitiveTextOptions& options,
+                                       Primitive primitive) {
+  const std::string source = options.file == "-" ? "standard input" : options.file;
+  const std::size_t dimension = options.space == "view" ? 3 : 4;
+  const LineShape shape{primitive, dimension,
+                        dimension + static_cast<std::size_t>(options.attributes)};
+  std::vector<TextPrimitive> primitives;
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    const std::string place = fmt::format("{}:{}", source, ++number);
+    const std::vector<std::string> words = split(line);
+    if (words.empty()) continue;
+    if (!shape.fits(words.size())) {
+      throw InputError(
+          fmt::format("{}: found {} numbers; {}", place, words.size(), shape.text(options)));
+    }
+    std::vector<double>& values = primitives.emplace_back(TextPrimitive{place, {}}).values;
+    for (const std::string& word : words) {
+      values.push_back(parse_number(word, reads_floats(options), place));
+    }
+  }
+  if (in.bad()) throw InputError(fmt::format("{}: can't be read", source));
+  return primitives;
+}
+
+// Errors: UsageError.
+std::vector<double> perspective_sides(const std::vector<double>& p) {
+  if (!(p[0] > 0 && p[0] < 180 && p[1] > 0)) {
+    usage_error(
+        "--perspective: FOVY {} must lie in (0, 180) degrees and ASPECT {} must be positive", p[0],
+        p[1]);
+  }
+  const double top = p[2] * std::tan(p[0] * (M_PI / 360.0));
+  const double right = p[1] * top;
+  return {-right, right, -top, top, p[2], p[3]};
+}
+
+// What is clipped against in view space. Errors: UsageError.
+Frustum<double> frustum_of(const PrimitiveTextOptions& options) {
+  if (options.projections.size() != 1) {
+    usage_error("--space view takes one of --perspective, --frustum and --ortho, {} are given",
+                options.projections.size());
+  }
+  const auto& [option, given] = options.projections.front();
+  const std::vector<double> v = option == "--perspective" ? perspective_sides(given) : given;
+  Frustum<double> f;
+  f.kind = option == "--ortho" ? ProjectionKind::parallel : ProjectionKind::perspective;
+  f.left = v[0];
+  f.right = v[1];
+  f.bottom = v[2];
+  f.top = v[3];
+  f.near = v[4];
+  f.infinite_far = std::isinf(v[5]);
+  f.far = f.infinite_far ? 0.0 : v[5];
+  if (reads_floats(options)) f = frustum_cast<double>(frustum_cast<float>(f));
+  if (is_valid(f) && std::isfinite(f.left + f.right + f.bottom + f.top + f.near + f.far)) return f;
+  usage_error(
+      "the frustum left={} right={} bottom={} top={} near={} far={} encloses no volume; expected left < right, bottom < top, near < far, and 0 < near for perspective",
+      f.left, f.right, f.bottom, f.top, f.near, f.infinite_far ? HUGE_VAL : f.far);
+}
+
+}  // namespace
+
+CLI::Option* add_number_list(CLI::App& command, const std::string& name, std::size_t count,
+                             const std::string& type,
+                             std::function<void(const std::vector<double>&)> set,
+                             const std::string& help) {
+  const auto parse = [=, set = std::move(set)](const std::string& text) {
+    const std::vector<double> numbers = parse_numbers(text);
+    if (numbers.size() == count) return set(numbers);
+    throw CLI::ValidationError(
+        name, fmt::format("'{}' given, {} numbers expected: {}", text, count, type));
+  };
+  return command.add_option_function<std::string>(name, parse, help)->type_name(type);
+}
+
+void add_scene_options(CLI::App& command, Selection& selection) {
+  add_option(
+      command, "--scene", selection.scenes, "NAME|FILE",
+      "A built-in scene (see `clipscope list scenes`) or a mesh file (OBJ, PLY, STL, glTF); may be repeated [all built-in scenes]")
+      ->allow_extra_args(false);
+  command.add_option("--seed", selection.seed, "Seed of the random scenes [1]");
+  command.add_option("--sample", selection.sample,
+                     "At most this many triangles per view, evenly spaced; 0: all");
+  command.add_flag("--quick", selection.quick, "Smaller scenes, for a first look");
+  add_camera_options(command, selection.camera);
+}
+
+void add_contestant_options(CLI::App& command, Selection& selection) {
+  add_option(command, "--clipper", selection.clipper, "GLOB",
+             "Shell pattern of clipper names, such as 'cvv/*' (see `clipscope list clippers`)");
+  add_option(command, "--scalar", selection.scalars, "LIST",
+             fmt::format("Scalars, separated by commas (see `clipscope list scalars`) [{}]",
+                         fmt::join(selection.scalars, ",")))
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
+void add_contestant_options(CLI::App& command, std::string& clipper, std::string& scalar) {
+  add_option(command, "--clipper", clipper, "NAME", "Name of a clipper")->required();
+  command.add_option("--scalar", scalar, "Scalar to compute in [float]");
+}
+
+void add_json_option(CLI::App& command, Selection& selection) {
+  command.add_flag("--json", selection.json, "Print JSON (run: one table per line)");
+}
+
+void add_out_option(CLI::App& command, std::optional<std::string>& out) {
+  add_option(command, "--out", out, "DIR",
+             "Also write the table as Markdown, CSV and LaTeX into this folder");
+}
+
+void print_table(const Table& table, bool json, const std::optional<std::string>& out) {
+  if (out) table.write(*out);
+  fmt::print("{}\n", json ? table.to_json().dump(2) : table.to_text());
+}
+
+void add_format_option(CLI::App& command, std::string& format) {
+  add_option(
+      command, "--format", format, "NAME",
+      "How to print: text (at most 100 columns wide), markdown, csv (full precision), latex, json [text]")
+      ->check(CLI::IsMember({"text", "markdown", "csv", "latex", "json"}));
+}
+
+std::string formatted(const Table& table, const std::string& format) {
+  if (format == "markdown") return table.to_markdown();
+  if (format == "csv") return table.to_csv();
+  if (format == "latex") return table.to_latex();
+  if (format == "json") return table.to_json().dump(2) + "\n";
+  return table.to_text();
+}
+
+void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options) {
+  command
+      .add_option("--space", options.space,
+                  "Space of the input: view (x y z) or clip (x y z w) [view]")
+      ->check(CLI::IsMember({"view", "clip"}));
+  command.add_option("--scalar", options.scalar,
+                     "Scalar to compute in (see `clipscope list scalars`) [float]");
+  add_option(command, "--attributes", options.attributes, "K", "Attributes per vertex [0]")
+      ->check(CLI::Range(0, kMaxAttributes));
+  const auto add_projection = [&](const char* name, std::size_t count, const char* type,
+                                  const char* help) {
+    const auto set = [&options, name](const std::vector<double>& numbers) {
+      options.projections.emplace_back(name, numbers);
+    };
+    add_number_list(command, name, count, type, set, help);
+  };
+  add_projection("--perspective", 4, "FOVY,ASPECT,NEAR,FAR",
+                 "Perspective projection, FOVY in degrees; FAR may be inf");
+  add_projection("--frustum", 6, "L,R,B,T,N,F",
+                 "Perspective projection, sides measured on the near plane; F may be inf");
+  add_projection("--ortho", 6, "L,R,B,T,N,F", "Orthographic projection");
+  command
+      .add_option("--depth", options.depth,
+                  "Depth convention: gl [-1, 1], zero_to_one [0, 1] or reversed [1, 0] [gl]")
+      ->check(CLI::IsMember({"gl", "zero_to_one", "reversed"}));
+  add_option(command, "file", options.file, "FILE", "Primitives, one per line [standard input]");
+}
+
+Batch described_batch(const PrimitiveTextOptions& options) {
+  Batch batch{.space = options.space == "view" ? Space::view : Space::clip,
+              .attributes = options.attributes};
+  if (batch.space == Space::view) {
+    batch.frustum = frustum_of(options);
+  } else if (!options.projections.empty()) {
+    usage_error(
+        "--perspective, --frustum and --ortho go with --space view: clip-space coordinates are projected already");
+  }
+  batch.volume.depth = options.depth == "zero_to_one" ? DepthRange::zero_to_one
+                       : options.depth == "reversed"  ? DepthRange::reversed
+                                                      : DepthRange::minus_one_to_one;
+  batch.frustum.depth = batch.volume.depth;
+  return batch;
+}
+
+std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
+                                           Primitive primitive) {
+  if (options.file == "-") return read_stream(std::cin, options, primitive);
+  errno = 0;
+  std::ifstream file(options.file);
+  if (!file) {
+    throw InputError(fmt::format("{}: can't be opened: {}", options.file, std::strerror(errno)));
+  }
+  return read_stream(file, options, primitive);
+}
+
+std::string_view default_clipper(Primitive primitive) {
+  constexpr std::string_view kNames[] = {"point/pop", "homogeneous/liang_barsky",
+                                         "homogeneous/sutherland_hodgman", "homogeneous/polygon"};
+  return kNames[static_cast<std::size_t>(primitive)];
+}
+
+}  // namespace clipscope::experiments::commands

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What commands share: options for scenes, cameras, clippers and scalars; how a table is printed;
+// primitives as text.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "experiments/catalogue/hard_case.hpp"
+#include "experiments/commands/commands.hpp"
+#include "experiments/contestants/batch.hpp"
+#include "experiments/machine/errors.hpp"
+#include "experiments/selection/select.hpp"
+#include "experiments/table/table.hpp"
+
+namespace clipscope::experiments::commands {
+
+// Throws UsageError with the message that fmt::format makes.
+template <class... Args>
+[[noreturn]] void usage_error(fmt::format_string<Args...> format, Args&&... args) {
+  throw UsageError(fmt::format(format, std::forward<Args>(args)...));
+}
+
+// A command and what its options fill; the action, once the user chose it, is `run` of them.
+template <class Options, class Filled = std::remove_cvref_t<Options>>
+std::pair<CLI::App&, Filled&> add_command(CLI::App& app, Action& action, int (*run)(Options),
+                                          const std::string& name, const std::string& help,
+                                          const std::string& footer = "") {
+  CLI::App* command = app.add_subcommand(name, help);
+  // Without one of its own a command shows that of the program.
+  if (!footer.empty()) command->footer(footer);
+  const auto options = std::make_shared<Filled>();
+  command->callback([=, &action] { action = [=] { return run(*options); }; });
+  return {*command, *options};
+}
+
+// An option whose help shows `type` in place of the value, such as "NAME|FILE".
+template <class Value>
+CLI::Option* add_option(CLI::App& command, const std::string& name, Value& value,
+                        const std::string& type, const std::string& help) {
+  return command.add_option(name, value, help)->type_name(type);
+}
+
+// An option of `count` numbers separated by commas, such as --eye 0,1,2; `set` is called with them.
+// Anything else is a usage error that names the option, what was given and what it takes (`type`,
+// such as "X,Y,Z").
+CLI::Option* add_number_list(CLI::App& command, const std::string& name, std::size_t count,
+                             const std::string& type,
+                             std::function<void(const std::vector<double>&)> set,
+                             const std::string& help);
+
+// --scene, --seed, --quick, --sample and the camera.
+void add_scene_options(CLI::App& command, Selection& selection);
+
+// --clipper GLOB and --scalar LIST.
+void add_contestant_options(CLI::App& command, Selection& selection);
+// --clipper NAME, which must be given, and --scalar.
+void add_contestant_options(CLI::App& command, std::string& clipper, std::string& scalar);
+
+void add_json_option(CLI::App& command, Selection& selection);
+
+// --out: a folder for the table that the command prints.
+void add_out_option(CLI::App& command, std::optional<std::string>& out);
+// Prints the table as text or JSON, and writes its files if there is a folder. Errors: OutputError.
+void print_table(const Table& table, bool json, const std::optional<std::string>& out = {});
+
+// --format, and the table as it says.
+void add_format_option(CLI::App& command, std::string& format);
+std::string formatted(const Table& table, const std::string& format);
+
+// Primitives as text, and the options that say what they mean.
+//
+// A line holds one primitive: a point, a segment, a triangle, or a polygon of three vertices or
+// more. Each vertex is its position (3 numbers in view space, 4 in clip space) and then its K
+// attributes; numbers are decimal or C99 hex floats, separated by blanks or commas. '#' starts a
+// comment; empty lines are skipped. A number is rounded once, to float for the scalars float and
+// counting and to double for the others.
+
+struct PrimitiveTextOptions {
+  std::string space = "view";
+  std::string scalar = "float";
+  int attributes = 0;
+  // --perspective, --frustum and --ortho as given.
+  std::vector<std::pair<std::string, std::vector<double>>> projections;
+  std::string depth = "gl";
+  std::string file = "-";  // "-": standard input
+};
+
+void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options);
+
+// A batch without its primitives: space, frustum, depth range and attributes. The frustum's numbers
+// are rounded as those of primitives are.
+// Errors: UsageError unless exactly one of --perspective, --frustum and --ortho is given for view
+// space and none for clip space, or if it encloses no volume.
+Batch described_batch(const PrimitiveTextOptions& options);
+
+struct TextPrimitive {
+  std::string place;           // "file:line"
+  std::vector<double> values;  // (dimension + K) for each vertex; the scalar holds them exactly
+};
+
+// All primitives of the file. Errors: InputError naming file and line, what was found, what was
+// expected.
+std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
+                                           Primitive primitive);
+
+// The clipper that is taken where none is named.
+std::string_view default_clipper(Primitive primitive);
+
+}  // namespace clipscope::experiments::commands

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Makes the contestants of one scalar; included once per scalar, each in its own translation unit.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "experiments/contestants/made.hpp"
+#include "experiments/contestants/polygon_stream.hpp"
+#include "spaces/clippers.hpp"
+#include "spaces/homogeneous/polygon.hpp"
+
+namespace clipscope::experiments {
+
+// Reads a batch into a scalar, each number rounded once, the distances to the user's planes in
+// front of the attributes.
+template <Space S, Scalar T, int K>
+class VertexReader {
+ public:
+  explicit VertexReader(const Batch& batch) : batch_(batch) {
+    for (const std::array<double, 4>& plane : batch.planes) {
+      for (const double x : plane) planes_.push_back(scalar_from<T>(x));
+    }
+  }
+  Vertex<S, T, K> operator()(std::size_t vertex) const {
+    Vertex<S, T, K> v;
+    std::size_t next = vertex * batch_.stride();
+    for (int i = 0; i < v.kDimension; ++i) v.position[i] = scalar_from<T>(batch_.number(next++));
+    const int planes = static_cast<int>(batch_.planes.size());
+    v.attributes.resize(planes + batch_.attributes);
+    for (int p = 0; p < planes; ++p) v.attributes[p] = distance(planes_.data() + 4 * p, v.position);
+    for (int k = 0; k < batch_.attributes; ++k) {
+      v.attributes[planes + k] = scalar_from<T>(batch_.number(next++));
+    }
+    return v;
+  }
+
+ private:
+  static T distance(const T* n, const Vec3<T>& p) {
+    return user_plane_distance(Vec4<T>(n[0], n[1], n[2], n[3]), p);
+  }
+  static T distance(const T* n, const Vec4<T>& p) {
+    return n[0] * p[0] + n[1] * p[1] + n[2] * p[2] + n[3] * p[3];
+  }
+
+  const Batch& batch_;
+  std::vector<T> planes_;
+};
+
+template <Space S, Scalar T, int K, std::size_t N>
+std::vector<Simplex<S, T, K, N>> simplices_in(const Batch& batch) {
+  const VertexReader<S, T, K> read(batch);
+  std::vector<Simplex<S, T, K, N>> simplices(batch.size());
+  for (std::size_t i = 0; i < simplices.size(); ++i) {
+    for (std::size_t v = 0; v < N; ++v) simplices[i][v] = read(i * N + v);
+  }
+  return simplices;
+}
+
+template <Scalar T>
+Projection<T> projection_in(const Batch& batch) {
+  Projection<T> projection = projection_from<T>(batch.frustum);
+  projection.volume = batch.volume;
+  projection.volume.clip_distances += static_cast<int>(batch.planes.size());
+  return projection;
+}
+
+template <Scalar T>
+PointSize<T> point_size_in(const Batch& batch) {
+  if (!batch.point) return {};
+  return point_size_ndc<T>(scalar_from<T>(batch.point->size),
+                           scalar_from<T>(batch.point->viewport[0]),
+                           scalar_from<T>(batch.point->viewport[1]));
+}
+
+// What a clipper does with a block, its polygons in the space kOut; null where it does not take the
+// input's space.
+template <Scalar T, int K, std::size_t N, Space kOut = Space::ndc>
+struct BlockClips {
+  template <Space S>
+  using Block = std::span<const Simplex<S, T, K, N>>;
+
+  void (*view)(const Projection<T>&, const PointSize<T>&, Block<Space::view>,
+               PolygonStream<T, K, kOut>&) = nullptr;
+  void (*clip)(const ClipVolume&, const PointSize<T>&, Block<Space::clip>,
+               PolygonStream<T, K, kOut>&) = nullptr;
+};
+
+// Where: a projection or a volume. Only points have a size.
+template <class C, class Where, Scalar T, Space S, int K, std::size_t N>
+void clip_block(const Where& where, [[maybe_unused]] const PointSize<T>& size,
+                std::span<const Simplex<S, T, K, N>> block, PolygonStream<T, K>& out) {
+  NdcPolygon<T, K> polygon;
+  for (const Simplex<S, T, K, N>& primitive : block) {
+    if constexpr (N == 1) {
+      C{}(where, primitive, size, polygon);
+    } else {
+      C{}(where, primitive, polygon);
+    }
+    out.append(polygon);
+  }
+}
+
+template <class C, Scalar T, int K, std::size_t N>
+BlockClips<T, K, N> clips_of() {
+  BlockClips<T, K, N> clips;
+  clips.view = clip_block<C, Projection<T>, T, Space::view, K, N>;
+  if constexpr (ClipsClipSpace<C, T, K, N>) {
+    clips.clip = clip_block<C, ClipVolume, T, Space::clip, K, N>;
+  }
+  return clips;
+}
+
+template <Scalar T, int K, std::size_t N, Space kOut>
+class BlockRunner final : public Runner {
+ public:
+  BlockRunner(const BlockClips<T, K, N, kOut>& clips, std::span<const Batch> batches)
+      : clips_(clips) {
+    for (const Batch& batch : batches) {
+      Part& part = parts_.emplace_back();
+      part.attributes = batch.attributes + static_cast<int>(batch.planes.size());
+      part.size = point_size_in<T>(batch);
+      part.projection = projection_in<T>(batch);
+      if (batch.space == Space::view) part.view = simplices_in<Space::view, T, K, N>(batch);
+      if (batch.space == Space::clip) part.clip = simplices_in<Space::clip, T, K, N>(batch);
+    }
+  }
+
+  void clip(std::size_t batch, std::size_t first, std::size_t count) override {
+    last_ = &parts_[batch];
+    out_.clear();
+    if (!last_->view.empty()) {
+      clips_.view(last_->projection, last_->size, std::span(last_->view).subspan(first, count),
+                  out_);
+    } else if (!last_->clip.empty()) {
+      clips_.clip(last_->projection.volume, last_->size,
+                  std::span(last_->clip).subspan(first, count), out_);
+    }
+  }
+
+  Answers answers() const override {
+    Answers answers(kFormat<T>, 4 + static_cast<std::size_t>(last_->attributes));
+    for (std::size_t i = 0; i < out_.size(); ++i) add_polygon(out_[i], answers);
+    answers.overflowed = out_.overflowed();
+    return answers;
+  }
+
+ private:
+  struct Part {
+    Projection<T> projection = {};  // its volume is that of both spaces
+    PointSize<T> size = {};
+    int attributes = 0;
+    std::vector<Simplex<Space::view, T, K, N>> view = {};
+    std::vector<Simplex<Space::clip, T, K, N>> clip = {};
+  };
+
+  BlockClips<T, K, N, kOut> clips_;
+  std::vector<Part> parts_;
+  const Part* last_ = nullptr;
+  PolygonStream<T, K, kOut> out_;
+};
+
+// The scenes' number of attributes has code of its own, all others share some.
+template <Scalar T, std::size_t N, Space kOut>
+auto prepare_blocks(const BlockClips<T, kSceneAttributes, N, kOut>& scenes,
+                    const BlockClips<T, kRunTime, N, kOut>& others) {
+  return [scenes, others](std::span<const Batch> batches) -> std::unique_ptr<Runner> {
+    const bool is_scene = std::all_of(batches.begin(), batches.end(), [](const Batch& b) {
+      return b.attributes == kSceneAttributes && b.planes.empty();
+    });
+    if (is_scene) {
+      return std::make_unique<BlockRunner<T, kSceneAttributes, N, kOut>>(scenes, batches);
+    }
+    return std::make_unique<BlockRunner<T, kRunTime, N, kOut>>(others, batches);
+  };
+}
+
+// Convex polygons of any size.
+template <Scalar T>
+class PolygonRunner final : public Runner {
+ public:
+  explicit PolygonRunner(std::span<const Batch> batches) : batches_(batches) {}
+
+  void clip(std::size_t b, std::size_t first, std::size_t count) override {
+    const Batch& batch = batches_[b];
+    out_.clear();
+    attributes_ = batch.attributes + static_cast<int>(batch.planes.size());
+    const Projection<T> projection = projection_in<T>(batch);
+    for (std::size_t i = first; i < first + count; ++i) {
+      if (batch.space == Space::view) {
+        keep(clip_(projection, polygon<Space::view>(batch, i)));
+      } else {
+        keep(clip_(projection.volume, polygon<Space::clip>(batch, i)));
+      }
+    }
+  }
+
+  Answers answers() const override {
+    Answers answers(kFormat<T>, 4 + static_cast<std::size_t>(attributes_));
+    for (const auto& polygon : out_) add_polygon(polygon, answers);
+    return answers;
+  }
+
+ private:
+  using Vertices = std::vector<NdcVertex<T, kRunTime>>;
+
+  template <Space S>
+  static std::vector<Vertex<S, T, kRunTime>> polygon(const Batch& batch, std::size_t i) {
+    const VertexReader<S, T, kRunTime> read(batch);
+    std::vector<Vertex<S, T, kRunTime>> vertices;
+    for (std::size_t v = i == 0 ? 0 : batch.ends[i - 1]; v < batch.ends[i]; ++v) {
+      vertices.push_back(read(v));
+    }
+    return vertices;
+  }
+  void keep(std::span<const NdcVertex<T, kRunTime>> polygon) {
+    out_.emplace_back(polygon.begin(), polygon.end());
+  }
+
+  std::span<const Batch> batches_;
+  HomogeneousPolygonClipper<T, kRunTime> clip_;
+  std::vector<Vertices> out_;
+  int attributes_ = 0;
+};
+
+template <class C, Scalar T, std::size_t N>
+Contestant make_contestant() {
+  Contestant contestant = describe<C>(kFormat<T>);
+  contestant.vertices = N;
+  contestant.takes_clip_space = ClipsClipSpace<C, T, kSceneAttributes, N>;
+  contestant.prepare =
+      prepare_blocks(clips_of<C, T, kSceneAttributes, N>(), clips_of<C, T, kRunTime, N>());
+  return contestant;
+}
+
+template <Scalar T>
+Contestant make_polygon_contestant() {
+  Contestant contestant = describe<HomogeneousPolygonClipper<T, kRunTime>>(kFormat<T>);
+  contestant.vertices = 0;
+  contestant.takes_clip_space = true;
+  contestant.prepare = [](std::span<const Batch> batches) -> std::unique_ptr<Runner> {
+    return std::make_unique<PolygonRunner<T>>(batches);
+  };
+  return contestant;
+}
+
+// The clippers of a list that there are in the scalar.
+template <Scalar T, std::size_t N, class... Cs>
+void add_contestants(TypeList<Cs...>, std::vector<Contestant>& all) {
+  const auto add = [&]<class C>() {
+    if constexpr (ClipsViewSpace<C, T, kSceneAttributes, N>) {
+      all.push_back(make_contestant<C, T, N>());
+    }
+  };
+  (add.template operator()<Cs>(), ...);
+}
+
+template <Scalar T>
+std::vector<Contestant> made_in() {
+  std::vector<Contestant> all;
+  add_contestants<T, 3>(AllClippers{}, all);
+  add_contestants<T, 2>(AllSegmentClippers{}, all);
+  add_contestants<T, 1>(AllPointClippers{}, all);
+  all.push_back(make_polygon_contestant<T>());
+  return all;
+}
+
+}  // namespace clipscope::experiments

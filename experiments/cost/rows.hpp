@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The rows of the tables of cost, and what makes them.
+#pragma once
+
+#include "experiments/contestants/columns.hpp"
+#include "experiments/report/experiment.hpp"
+#include "experiments/report/plot.hpp"
+#include "experiments/stage/stage_timing.hpp"
+#include "experiments/store/piece_record.hpp"
+#include "experiments/table/row.hpp"
+
+namespace clipscope::experiments::cost {
+
+struct Row {
+  std::string mix, clipper, scalar;
+  std::optional<Timing> timing;
+
+  bool is_timed() const { return timing.has_value(); }
+
+  static constexpr std::string_view kName = "cost";
+  static constexpr std::string_view kTitle =
+      "Time per triangle, view space in, NDC polygons out, four attributes";
+  static constexpr std::array<std::string_view, 1> kNotes = {
+      "x textbook: how many times faster than textbook in float on the same triangles in the same round; median and 95 % interval. Not timed (-): the answers break the promise."};
+  static constexpr auto columns() {
+    return std::tuple(column("mix", &Row::mix), contestant_columns(&Row::clipper, &Row::scalar),
+                      group(&Row::timing));
+  }
+};
+
+struct OperationsRow {
+  std::string mix, clipper;
+  double additions = 0, multiplications = 0, divisions = 0, comparisons = 0;  // per triangle
+
+  double arithmetic() const { return additions + multiplications + divisions; }
+
+  static constexpr std::string_view kName = "cost_operations";
+  static constexpr std::string_view kTitle = "Operations per triangle, by kind";
+  static constexpr auto columns() {
+    using R = OperationsRow;
+    return std::tuple(column("mix", &R::mix), column("clipper", &R::clipper),
+                      column("additions", "+ -", &R::additions),
+                      column("multiplications", "*", &R::multiplications),
+                      column("divisions", "/", &R::divisions),
+                      column("comparisons", &R::comparisons));
+  }
+};
+
+struct SplitRow {
+  std::string mix, clipper, scalar, part;
+  MedianInterval ns, share_percent;
+
+  static constexpr std::string_view kName = "cost_split";
+  static constexpr std::string_view kTitle =
+      "Where the time goes: transform, cut, divide, in the clipper's order";
+  static constexpr std::array<std::string_view, 1> kNotes = {
+      "Three runs side by side, each doing one step more; a part is the difference of two in the same round. The transform alone is that of positions. A processor overlaps one step with the next, which a run of the first alone can't show: a small or negative part is hidden behind the others."};
+  static constexpr auto columns() {
+    using R = SplitRow;
+    return std::tuple(column("mix", &R::mix), contestant_columns(&R::clipper, &R::scalar),
+                      column("part", &R::part), interval("ns_per_triangle", "ns", "ns/tri", &R::ns),
+                      interval("share_percent", "share", "share %", &R::share_percent));
+  }
+};
+
+inline constexpr std::string_view kMemory = "memory";  // in place of a contestant's contract
+
+struct StageRow {
+  std::string mix, clipper, scalar, build, contract;  // of a contestant, or of a pass over memory
+  std::optional<Timing> timing;
+  std::optional<MedianInterval> times_fastest = {}, limit_percent = {};  // of a contestant
+  std::optional<double> bytes_in = {}, bytes_out = {}, gigabytes_per_second = {};
+
+  // Plots and findings speak of the scalar clippers' only build, and of SIMD.
+  bool is_shown() const { return timing && build != "plain"; }
+  std::string label() const { return clipper + " " + scalar; }
+
+  static constexpr std::string_view kName = "cost_stage";
+  static constexpr std::string_view kTitle =
+      "The stage: clip-space triangles in, clip-space polygons out, no divide";
+  static constexpr std::array<std::string_view, 2> kNotes = {
+      "Contracts: copy, an array of vertices in, every surviving triangle written out; number, streams of positions in, inside triangles by number; indexed, a mesh in, each vertex classified once. Four attributes. x textbook, and time / that of the contract's fastest: medians of the ratios of the same round.",
+      "B in, B out: bytes that the contract reads and that the answer takes, per triangle. The memory limit is what passes over the same bytes (contract `memory`) take in the same round; % of limit: that time over the clipper's, 100 where it does nothing but move bytes. Answers go to a block that stays in cache. Not timed (-): see cost_stage_refused."};
+  static constexpr auto columns() {
+    using R = StageRow;
+    return std::tuple(
+        column("mix", &R::mix), contestant_columns(&R::clipper, &R::scalar),
+        column("build", &R::build), column("contract", &R::contract), group(&R::timing),
+        interval("times_fastest", "fastest", "time / fastest", &R::times_fastest),
+        column("bytes_in", "B in", &R::bytes_in), column("bytes_out", "B out", &R::bytes_out),
+        column("gigabytes_per_second", "GB/s", &R::gigabytes_per_second),
+        interval("limit_percent", "limit", "% of limit", &R::limit_percent));
+  }
+};
+
+struct MixRow {
+  std::string mix, contracts;
+  std::int64_t triangles = 0;
+  double inside_percent = 0, outside_percent = 0, straddling_percent = 0, megabytes = 0;
+
+  static constexpr std::string_view kName = "cost_stage_mixes";
+  static constexpr std::string_view kTitle = "The inputs of the stage, by outcodes";
+  static constexpr auto columns() {
+    using R = MixRow;
+    return std::tuple(column("mix", &R::mix), column("contracts", &R::contracts),
+                      column("triangles", &R::triangles),
+                      column("inside_percent", "inside %", &R::inside_percent),
+                      column("outside_percent", "outside %", &R::outside_percent),
+                      column("straddling_percent", "straddling %", &R::straddling_percent),
+                      column("megabytes", "MB", &R::megabytes));
+  }
+};
+
+struct RefusedRow {
+  std::string mix, clipper, build, contract, reason;
+
+  static constexpr std::string_view kName = "cost_stage_refused";
+  static constexpr std::string_view kTitle =
+      "Not timed: the answers break the promise of the stage";
+  static constexpr auto columns() {
+    using R = RefusedRow;
+    return std::tuple(column("mix", &R::mix), column("clipper", &R::clipper),
+                      column("build", &R::build), column("contract", &R::contract),
+                      column("reason", "reason", &R::reason, 50));
+  }
+};
+
+enum class Growing { triangles, attributes, planes, threads };
+inline constexpr std::array kGrowing = {Growing::triangles, Growing::attributes, Growing::planes,
+                                        Growing::threads};
+constexpr std::array<std::string_view, 4> names_of(Growing) {
+  return {"triangles", "attributes", "planes", "threads"};
+}
+
+struct GrowthRow {
+  Growing grows = Growing::triangles;
+  std::int64_t n = 0;
+  std::string clipper, scalar;
+  Contract contract = Contract::copy;
+  std::optional<double> triangles = {};  // clipped in one run
+  std::optional<MedianInterval> ns = {};
+  std::optional<double> speedup = {};  // where textbook is timed
+
+  static constexpr std::string_view kName = "cost_growth";
+  static constexpr std::string_view kTitle = "How the time of the stage grows";
+  static constexpr std::array<std::string_view, 1> kNotes = {
+      "triangles: the first n of a game-like soup; beyond its size it streams through again and again. attributes: floats beside the position. planes: every triangle is cut by exactly n. threads: the soup in n parts, time by the clock on the wall. Column triangles: clipped in one run. Batch clippers in SIMD."};
+  static constexpr auto columns() {
+    using R = GrowthRow;
+    return std::tuple(column("grows", &R::grows), column("n", &R::n),
+                      contestant_columns(&R::clipper, &R::scalar), column("contract", &R::contract),
+                      column("triangles", &R::triangles),
+                      interval("ns_per_triangle", "ns", "ns/tri", &R::ns),
+                      column("speedup_to_textbook", "x textbook", &R::speedup));
+  }
+};
+
+inline StageRow stage_row(const std::string& mix, const MemoryTiming& pass) {
+  const double out = pass.pass == MemoryPass::copy_everything ? pass.bytes : 0;
+  return {.mix = mix,
+          .clipper = std::string(name_of(pass.pass)),
+          .scalar = "-",
+          .build = "-",
+          .contract = std::string(kMemory),
+          .timing = pass.timing,
+          .bytes_in = pass.bytes,
+          .bytes_out = out,
+          .gigabytes_per_second = (pass.bytes + out) / pass.timing.ns.median};
+}
+
+inline StageRow stage_row(const std::string& mix, const StageTiming& timing) {
+  const Contestant& c = *timing.contestant;
+  StageRow row{.mix = mix,
+               .clipper = std::string(c.clipper),
+               .scalar = std::string(c.scalar()),
+               .build = std::string(c.build),
+               .contract = std::string(name_of(c.contract)),
+               .timing = if_timed(timing.timing)};
+  if (row.timing) {
+    row.times_fastest = timing.times_fastest;
+    row.limit_percent = timing.limit_percent;
+    row.bytes_in = timing.bytes.positions + timing.bytes.rest;
+    row.bytes_out = timing.bytes.out;
+    row.gigabytes_per_second = timing.bytes.total() / row.timing->ns.median;
+  }
+  return row;
+}
+
+inline MixRow mix_row(const StageInput& input, Contract contract) {
+  const StageShares shares = shares_of(input, contract);
+  const std::size_t triangles = input.size(contract);
+  return {input.name,
+          input.indices.empty() ? "copy, number" : "indexed",
+          static_cast<std::int64_t>(triangles),
+          shares.inside,
+          shares.outside,
+          shares.straddling,
+          bytes_of(MemoryPass::read_everything, input) * static_cast<double>(triangles) / 1e6};
+}
+
+// Adds the parts, in the order of the clipper, and the whole of each clipper that has steps and
+// that was timed in float or double on the mix.
+void measure_split(std::span<const SampledView> views, const std::vector<Row>& times, int rounds,
+                   TableOf<SplitRow>& table, PieceRecord& record);
+
+// Emits the tables and plots of the stage; returns its finding.
+std::string run_stage(const ExperimentContext& context);
+StageClock stage_clock(bool quick);
+// A row for each pass over memory and each contestant, and one in `refused` for those that were.
+void add_rows(const std::string& mix, const StageMeasurement& measured, TableOf<StageRow>& stage,
+              TableOf<RefusedRow>& refused, PieceRecord& record);
+
+struct GrowthOptions {
+  std::uint64_t seed = 1;
+  std::size_t soup = 1'000'000;    // triangles
+  std::size_t most = 100'000'000;  // triangles streamed
+  std::size_t attribute_soup = 200'000;
+  std::size_t crossing = 2048;  // different triangles by number of planes; each comes several times
+  StageClock clock = {};
+};
+
+// A row for each n and contestant: the baseline, and what a renderer would choose from.
+void measure_growth(Growing growing, const GrowthOptions& options, TableOf<GrowthRow>& table,
+                    PieceRecord& record);
+
+// Clip-space triangles that cross exactly so many planes: some vertex is outside of each of these,
+// none is outside of another, and each holds an edge of what is left. Each of `different` triangles
+// comes `times` times, in random order. Pre-condition: 1 <= planes <= 6.
+StageInput crossing_input(int planes, std::size_t different, std::size_t times, std::uint64_t seed);
+
+// What is said of cost at the end, from the rows of its tables alone.
+
+// Time by mix for one clipper of each space, in float if that is there.
+Plot time_plot(const std::vector<Row>& times);
+// Parts by clipper for the first mix, in float if that is there. Pre-condition: rows.
+Plot split_plot(const std::vector<SplitRow>& split);
+// Times faster than textbook by mix, one bar per clipper of the best build in the contract.
+Plot stage_plot(const std::vector<StageRow>& stage, Contract contract);
+// ns per triangle over what grows.
+Plot growth_plot(const std::vector<GrowthRow>& growth, Growing growing);
+
+// View space and CVV over clip space on the first mix: times, operations, divisions.
+std::string finding(const std::vector<Row>& times, const std::vector<OperationsRow>& operations);
+// The fastest of each contract and mix against textbook, and the price of correct rounding.
+std::string stage_finding(const std::vector<StageRow>& stage);
+
+}  // namespace clipscope::experiments::cost

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/frontier/rows.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+namespace clipscope::experiments::frontier {
+namespace {
+
+struct PlottedPoint {
+  std::string name;
+  double ns, error;
+  bool on_frontier;
+};
+
+// Without the folder, methods by their initials where they are well known.
+std::string short_name(std::string clipper) {
+  const std::string method = "sutherland_hodgman";
+  if (const auto at = clipper.find(method); at != std::string::npos) {
+    clipper.replace(at, method.size(), "s_h");
+  }
+  return clipper;
+}
+
+bool is_named_though_dominated(const std::string& clipper, const std::string& scalar) {
+  constexpr std::array<std::string_view, 5> kNamed = {
+      "textbook", "view/sutherland_hodgman", "homogeneous/sutherland_hodgman", "cvv/near_first",
+      "barycentric/distance_matrix"};
+  if (clipper.find("batch") != std::string::npos) return true;
+  return scalar == "float" && std::find(kNamed.begin(), kNamed.end(), clipper) != kNamed.end();
+}
+
+std::vector<PlottedPoint> plotted_points(const std::vector<Row>& rows, const PlottedFrontier& of) {
+  std::vector<PlottedPoint> points;
+  for (const Row& row : rows_where(rows, &Row::set, of.set, &Row::contract, of.contract)) {
+    if (!row.timing) continue;
+    const bool on_frontier = row.place(of.measure).standing == Standing::frontier;
+    const bool named = of.contract != Contract::full || on_frontier ||
+                       is_named_though_dominated(row.clipper, row.scalar);
+    points.push_back({named ? short_name(row.clipper) + " " + row.scalar : "",
+                      row.timing->ns.median, row.error(of.measure).value(), on_frontier});
+  }
+  std::ranges::stable_sort(points, {},
+                           [](const PlottedPoint& p) { return std::pair(p.ns, p.error); });
+  return points;
+}
+
+// Two decades beneath the smallest error that is not 0, so that the bottom line stands apart.
+double floor_beneath(const std::vector<PlottedPoint>& points) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlottedPoint& p : points) {
+    if (p.error > 0) least = std::min(least, p.error);
+  }
+  if (!std::isfinite(least)) return 1;
+  return std::pow(10.0, std::floor(std::log10(least)) - 2);
+}
+
+void add_point(Series& series, const PlottedPoint& point, double error, bool labelled) {
+  series.add(point.ns, error);
+  series.labels.push_back(labelled ? point.name : "");
+}
+
+// From the fastest to the slowest along the bottom, if anybody has no error. Points are sorted by
+// time.
+Series exact_line(const std::vector<PlottedPoint>& points, double floor) {
+  Series line{.name = "", .marks = Marks::line, .muted = true};
+  if (std::ranges::find(points, 0, &PlottedPoint::error) == points.end()) return line;
+  line.x = {points.front().ns, points.back().ns};
+  line.y = {floor, floor};
+  line.labels = {"0: exact", ""};
+  return line;
+}
+
+// The label of the axis of errors.
+constexpr std::array kErrorLabels = {"largest error [px]", "coordinates not correctly rounded [%]",
+                                     "triangles with wrong vertices [%]"};
+
+std::string file_name(const PlottedFrontier& of) {
+  std::string name = "frontier_" + of.set;
+  if (of.contract != Contract::full) name += "_" + std::string(name_of(of.contract));
+  name += "_" + std::string(name_of(of.measure));
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c) && c != '_'; }, '_');
+  return name;
+}
+
+// "; from A (30 ns, 0.1 px) +20 % time buys B (36 ns, 1e-9 px); the most accurate is ...": where
+// the frontier by max px begins, its first step and its end.
+std::string chain_text(const std::vector<StepRow>& steps) {
+  if (steps.empty()) return "";
+  const auto place = [](const std::string& name, double ns, double px) {
+    return fmt::format("{} ({} ns, {} px)", name, format_number(ns), format_number(px));
+  };
+  const auto end = [&](const StepRow& s) { return place(s.to, s.ns_to, s.max_px_to); };
+  const StepRow& first = steps.front();
+  std::string text = fmt::format("; from {} {:+.0f} % time buys {}",
+                                 place(first.from, first.ns_from, first.max_px_from),
+                                 first.time_percent, end(first));
+  if (steps.size() > 1) text += fmt::format("; the most accurate is {}", end(steps.back()));
+  return text;
+}
+
+// "; in the stage by copy +4 % time buys 18 % more correctly rounded coordinates (A to B)": each
+// step along the rounding frontier of a contract of the stage.
+std::string stage_text(const std::vector<StepRow>& steps, Contract contract) {
+  std::vector<std::string> texts;
+  for (const StepRow& s : steps) {
+    texts.push_back(
+        fmt::format("{:+.0f} % time buys {} ({} to {})", s.time_percent, s.buys, s.from, s.to));
+  }
+  if (texts.empty()) return "";
+  return fmt::format("; in the stage by {} {}", name_of(contract), fmt::join(texts, ", "));
+}
+
+}  // namespace
+
+Plot frontier_plot(const std::vector<Row>& rows, const PlottedFrontier& of) {
+  const std::vector<PlottedPoint> points = plotted_points(rows, of);
+  const double floor = floor_beneath(points);
+  Series line{.name = "not dominated"};
+  Series ties{.name = "as accurate, and not measurably slower", .marks = Marks::points};
+  Series dominated{.name = "dominated", .marks = Marks::points, .muted = true};
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlottedPoint& p : points) {
+    const double error = p.error > 0 ? p.error : floor;
+    if (!p.on_frontier) {
+      add_point(dominated, p, error, true);
+    } else if (p.error < least) {
+      add_point(line, p, error, true);
+      least = p.error;
+    } else {
+      add_point(ties, p, error, false);
+    }
+  }
+  const Series exact = exact_line(points, floor);
+  const std::string stage =
+      of.contract == Contract::full ? "" : fmt::format(", the stage by {}", name_of(of.contract));
+  Plot plot{
+      .name = file_name(of),
+      .title = fmt::format("What accuracy costs in time: {}{}", of.set, stage),
+      .caption =
+          "Each point is a clipper in a scalar; the line joins those that no other beats in both. An error of 0 is drawn on the bottom line, \"exact\".",
+      .x = {.label = "time [ns per triangle]", .logarithmic = true},
+      .y = {.label = kErrorLabels[static_cast<std::size_t>(of.measure)], .logarithmic = true},
+      .series = {dominated, line}};
+  if (!exact.x.empty()) plot.series.insert(plot.series.begin(), exact);
+  if (!ties.x.empty()) plot.series.push_back(ties);
+  return plot;
+}
+
+std::string finding(const std::vector<Row>& rows, const std::vector<StepRow>& steps) {
+  std::vector<std::string> sentences;
+  for (const std::string& set : distinct(rows, &Row::set)) {
+    const auto steps_in = [&](Contract contract, Measure measure) {
+      return rows_where(steps, &StepRow::set, set, &StepRow::contract, contract, &StepRow::measure,
+                        measure);
+    };
+    int timed = 0, members = 0;
+    for (const Row& row : rows_where(rows, &Row::set, set, &Row::contract, Contract::full)) {
+      timed += row.by_px.standing != Standing::unranked;
+      members += row.by_px.standing == Standing::frontier;
+    }
+    std::string sentence = fmt::format("{}: {} of {} are not dominated", set, members, timed);
+    sentence += chain_text(steps_in(Contract::full, Measure::max_px));
+    for (const Contract contract : {Contract::copy, Contract::number}) {
+      sentence += stage_text(steps_in(contract, Measure::misrounded), contract);
+    }
+    sentences.push_back(std::move(sentence));
+  }
+  return fmt::format("{}.", fmt::join(sentences, ". "));
+}
+
+}  // namespace clipscope::experiments::frontier

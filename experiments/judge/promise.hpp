@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Does a clipper's polygon keep the clipper's promise (spaces/clipper.hpp)?
+//
+// Everything is measured in clip space, attributes as further coordinates (scaled so that the
+// largest is as large as M): a polygon vertex (x, y, z, 1/w) is the point (x, y, z, 1) w. With
+// tolerance = ulps * (u * M + the smallest positive number) * amplification the promise holds if
+//   contained  no vertex is farther than the tolerance outside a plane,
+//   faithful   no vertex is farther than the tolerance from the input primitive,
+//   covers     no vertex of the exact polygon in the volume made smaller by the tolerance is
+//              farther than the tolerance from the clipper's polygon.
+// Whoever promises correct rounding must have all bits right, on every triangle (`misrounded`). A
+// segment is a triangle with its second vertex twice.
+// Distances are computed in double-double for float and double (error far below any tolerance) and
+// in exact rationals for the others. Point to triangle: Ericson, "Real-Time Collision Detection",
+// 2005, section 5.1.5, which uses dot products alone and so holds in any dimension.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "experiments/contestants/answers.hpp"
+#include "experiments/contestants/contestant.hpp"
+#include "reference/exact_clip.hpp"
+#include "spaces/clipper.hpp"
+
+namespace clipscope::experiments {
+
+// outside_domain also where the numbers leave the format (intermediate results overflow, or 1/w
+// does and the answer is no point of clip space), and where the visible part comes so near to the
+// eye that its w is within the tolerance of 0: no bound in clip space says anything about NDC
+// there.
+enum class PromiseVerdict { kept, broken, outside_domain };
+
+struct PromiseCheck {
+  PromiseVerdict verdict = PromiseVerdict::kept;
+  // Backward error in units of u * M * amplification, over all distances that the promise bounds;
+  // for exact arithmetic 0 or infinity.
+  double ulps = 0;
+  std::string reason;  // when broken: what was found and what was promised
+};
+
+// What a promise is checked against: the volume in exact numbers, and the same volume in doubles
+// for magnitudes. For view-space input give the frustum, for clip-space input the volume alone.
+class PromiseChecker {
+ public:
+  explicit PromiseChecker(const Frustum<double>& frustum);
+  PromiseChecker(const Frustum<double>& frustum, const ClipVolume& volume);
+  explicit PromiseChecker(const ClipVolume& volume);
+
+  // vertices: two of a segment or three of a triangle. Pre-condition: they are finite; for a
+  // segment the promise's domain is not all_or_nothing.
+  PromiseCheck check(const Promise& promise, std::span<const reference::InputVertex> vertices,
+                     int attribute_count, const PolygonView& polygon) const;
+  PromiseCheck check(const Promise& promise, const reference::InputTriangle& triangle,
+                     const PolygonView& polygon) const {
+    return check(promise, triangle.vertices, triangle.attribute_count, polygon);
+  }
+
+  const reference::Truth& truth() const { return truth_; }
+
+  struct Setting;
+
+ private:
+  bool is_spoken_of(const Promise& promise, const Setting& setting,
+                    const PolygonView& polygon) const;
+  template <class N>
+  PromiseCheck check_distances(const Promise& promise, const Setting& setting,
+                               const PolygonView& polygon) const;
+  double coordinate_magnitude(const reference::InputVertex& vertex) const;
+  double largest_intermediate(const reference::InputVertex& vertex) const;
+
+  reference::Truth truth_;
+  Projection<double> projection_;
+  ClipVolume volume_;
+  bool view_input_;
+};
+
+// Does a clipper keep what it promises to the bit (spaces/clipper.hpp): total, watertight,
+// invariant under rotation of the vertices and under scaling by 2^k?
+//
+// The clipper is asked again about the triangle rotated, scaled, and beside a neighbour that shares
+// its first edge; the answers must have the same bits. Nothing exact is needed.
+
+// What the promise breaks on this triangle; empty if it keeps it. Scaling is tried only where
+// coordinates leave room for it in the format; watertightness not where the edge lies in a plane,
+// since one side may keep nothing but the edge then.
+// Pre-condition: the batch is one triangle that the contestant takes, finite, with an attribute or
+// more.
+std::string broken_bits(const Contestant& contestant, const Batch& triangle);
+
+// Breaks the check for this reason, unless it is empty.
+void break_by_bits(PromiseCheck& check, const std::string& reason);
+
+// Is a polygon of floats the exact one, rounded once to nearest, ties to even, bit for bit?
+
+// What differs; empty if nothing does. The exact answer is nothing where a z rounds to infinity.
+// Vertices are compared in order, from the first on; further ones must have the place of one of
+// them, and if there are fewer than three, which have no area, nothing is an answer as well. 0 is
+// +0.
+// Pre-condition: the triangle is finite.
+std::string misrounded(const reference::Truth& truth,
+                       std::span<const reference::InputVertex> vertices, int attribute_count,
+                       const PolygonView& polygon);
+
+}  // namespace clipscope::experiments

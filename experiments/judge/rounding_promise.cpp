@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/promise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "experiments/judge/cycle.hpp"
+#include "experiments/table/hex_float.hpp"
+
+namespace clipscope::experiments {
+namespace {
+
+using Row = std::vector<float>;  // x, y, z, 1/w, attributes
+
+std::vector<Row> rounded(const reference::ExactPolygon& exact) {
+  using reference::round_to;
+  std::vector<Row> r;
+  for (const reference::ExactVertex& v : exact.vertices) {
+    Row& row = r.emplace_back(Row{round_to<float>(v.x), round_to<float>(v.y), round_to<float>(v.z),
+                                  round_to<float>(v.inv_w)});
+    if (std::isinf(row[2])) return {};
+    for (const reference::Fraction& a : v.attributes) row.push_back(round_to<float>(a));
+  }
+  return r;
+}
+
+bool is_repeated(const Row& row, const std::vector<Row>& exact) {
+  constexpr std::size_t kPlace = 3;
+  return std::ranges::any_of(
+      exact, [&](const Row& e) { return same_vertex(row, e, kPlace, Likeness::by_bits); });
+}
+
+std::string name(std::size_t i) {
+  constexpr std::array kNames = {"x", "y", "z", "1/w"};
+  return i < kNames.size() ? kNames[i] : fmt::format("attribute {}", i - kNames.size());
+}
+
+std::string complaint(std::size_t vertex, const Row& is, const Row& nearest) {
+  std::size_t i = 0;
+  while (same_number(is[i], nearest[i], Likeness::by_bits)) ++i;
+  return fmt::format("not correctly rounded: vertex {}, {} is {}, the nearest float {}", vertex,
+                     name(i), hex_float(is[i]), hex_float(nearest[i]));
+}
+
+}  // namespace
+
+std::string misrounded(const reference::Truth& truth,
+                       std::span<const reference::InputVertex> vertices, int attribute_count,
+                       const PolygonView& polygon) {
+  const std::vector<Row> exact = rounded(reference::clip(truth, vertices, attribute_count));
+  if (polygon.empty() && exact.size() < 3) return {};
+  if (polygon.size() < exact.size()) {
+    return fmt::format("not correctly rounded: {} vertices, exactly {}", polygon.size(),
+                       exact.size());
+  }
+  std::size_t found = 0;
+  for (std::size_t v = 0; v < polygon.size(); ++v) {
+    const Row row = floats_of(polygon[v]);
+    if (found < exact.size() && same_vertex(row, exact[found], Likeness::by_bits)) {
+      ++found;
+      continue;
+    }
+    const bool is_spare = polygon.size() - v > exact.size() - found;
+    if (is_spare && is_repeated(row, exact)) continue;
+    return found < exact.size()
+               ? complaint(v, row, exact[found])
+               : fmt::format("not correctly rounded: vertex {} is not of the exact polygon", v);
+  }
+  return {};
+}
+
+}  // namespace clipscope::experiments

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/selection/replay_text.hpp"
+
+#include <fmt/format.h>
+
+#include "experiments/table/hex_float.hpp"
+
+namespace clipscope::experiments {
+
+std::string_view depth_option(DepthRange depth) {
+  constexpr std::array<std::string_view, 3> kNames = {"gl", "zero_to_one", "reversed"};
+  return kNames[static_cast<std::size_t>(depth)];
+}
+
+std::string frustum_options(const Frustum<float>& f) {
+  return fmt::format("--{} {},{},{},{},{},{}",
+                     f.kind == ProjectionKind::perspective ? "frustum" : "ortho", hex_float(f.left),
+                     hex_float(f.right), hex_float(f.bottom), hex_float(f.top), hex_float(f.near),
+                     f.infinite_far ? "inf" : hex_float(f.far));
+}
+
+std::string hex_line(std::span<const reference::InputVertex> vertices, int dimension,
+                     int attribute_count) {
+  std::string text;
+  const auto add = [&](double value) { text += (text.empty() ? "" : " ") + hex_float(value); };
+  for (const reference::InputVertex& v : vertices) {
+    for (int c = 0; c < dimension; ++c) add(v.position[static_cast<std::size_t>(c)]);
+    for (int k = 0; k < attribute_count; ++k) add(v.attributes[static_cast<std::size_t>(k)]);
+  }
+  return text;
+}
+
+std::string replay_text(const Batch& batch, std::size_t primitive) {
+  std::string options = batch.space == Space::view ? "--space view " : "--space clip ";
+  if (batch.vertices == 2) options += "--primitive segment ";
+  if (batch.space == Space::view) {
+    options += frustum_options(frustum_cast<float>(batch.frustum)) + " ";
+  }
+  return fmt::format(
+      "{}--depth {} --attributes {} : {}", options, depth_option(batch.volume.depth),
+      batch.attributes,
+      hex_line(input_vertices(batch, primitive), batch.dimension(), batch.attributes));
+}
+
+}  // namespace clipscope::experiments

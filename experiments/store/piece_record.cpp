@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/store/piece_record.hpp"
+
+#include <fmt/format.h>
+
+#include "experiments/selection/replay_text.hpp"
+
+namespace clipscope::experiments {
+namespace {
+
+// replay: the command without the options that name the contestant.
+WorstInput input_of(const Contestant& contestant, const std::string& measure, double error,
+                    const std::string& input, const std::string& replay) {
+  const std::string clipper(contestant.clipper), scalar(contestant.scalar());
+  const std::string command = fmt::format("{} --clipper {} --scalar {}", replay, clipper, scalar);
+  return {clipper, scalar, measure, error, input, command};
+}
+
+}  // namespace
+
+WorstInput worst_input(const Selection& selection, const Scene& scene, const Contestant& contestant,
+                       const WorstTriangle& worst) {
+  return input_of(contestant, worst.measure, worst.error, hex_line(worst.triangle),
+                  fmt::format("clipscope explain --scene {} --view '{}' --triangle {} --seed {}{}",
+                              scene.name, worst.view.label, worst.number, selection.seed,
+                              selection.quick ? " --quick" : ""));
+}
+
+WorstInput worst_input(const Contestant& contestant, const std::string& replay_text,
+                       const std::string& measure, double error, std::string_view command) {
+  const std::size_t colon = replay_text.find(" : ");
+  const std::string input = replay_text.substr(colon + 3);
+  return input_of(
+      contestant, measure, error, input,
+      fmt::format("echo '{}' | clipscope {} {}", input, command, replay_text.substr(0, colon)));
+}
+
+}  // namespace clipscope::experiments

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/survey/verdicts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "experiments/catalogue/catalogue.hpp"
+#include "experiments/machine/errors.hpp"
+#include "experiments/selection/select.hpp"
+#include "experiments/survey/sweep.hpp"
+
+namespace clipscope::experiments {
+namespace {
+
+constexpr std::size_t kCasesAtOnce = 32;  // cases in work at once
+
+// A hard case as a batch of one primitive.
+struct CaseBatch : Batch {
+  explicit CaseBatch(const HardCase& c)
+      : Batch{.space = c.space,
+              .frustum = c.frustum,
+              .volume = c.volume,
+              .vertices = static_cast<int>(vertices_of(c.primitive)),
+              .attributes = c.attribute_count},
+        own_end(c.vertices.size()) {
+    for (const auto& [position, values] : c.vertices) {
+      own_numbers.insert(own_numbers.end(), position.begin(), position.begin() + dimension());
+      own_numbers.insert(own_numbers.end(), values.begin(), values.begin() + attributes);
+    }
+    numbers = std::span<const double>(own_numbers);
+    if (vertices == 0) ends = std::span(&own_end, 1);
+  }
+  CaseBatch(const CaseBatch&) = delete;  // the batch refers to its numbers
+  CaseBatch& operator=(const CaseBatch&) = delete;
+
+  std::vector<double> own_numbers;
+  std::size_t own_end;
+};
+
+PromiseChecker promise_checker(const HardCase& hard_case) {
+  return hard_case.space == Space::view ? PromiseChecker(hard_case.frustum, hard_case.volume)
+                                        : PromiseChecker(hard_case.volume);
+}
+
+PromiseCheck check_answer(const Contestant& contestant, const HardCase& hard_case,
+                          const CaseBatch& input, const PromiseChecker& checker,
+                          const PolygonView& answer) {
+  PromiseCheck check = checker.check(contestant.promise, triangle_of(hard_case), answer);
+  break_by_bits(check, broken_bits(contestant, input));
+  return check;
+}
+
+std::vector<CaseVerdict> judge(const HardCase& hard_case, const Contestants& contestants) {
+  const TruthPolygon truth = truth_polygon(hard_case);
+  const CaseBatch input(hard_case);
+  const PromiseChecker checker = promise_checker(hard_case);
+  std::vector<CaseVerdict> verdicts;
+  for (const Contestant* contestant : contestants) {
+    CaseVerdict& verdict = verdicts.emplace_back();
+    if (!contestant->takes(input)) {
+      verdict.comparison.outcome = Outcome::not_applicable;
+      continue;
+    }
+    const Answers answers = clip(*contestant, input);
+    verdict.comparison = compare(answers[0], truth);
+    if (hard_case.primitive == Primitive::triangle) {
+      verdict.promise = check_answer(*contestant, hard_case, input, checker, answers[0]);
+    }
+  }
+  return verdicts;
+}
+
+// A tally per contestant, over all cases. count(case, tallies) adds one case.
+template <class T, class Count>
+std::vector<T> tally_cases(const CaseSet& set, Progress& progress, Count&& count) {
+  std::vector<T> whole(set.contestants.size());
+  const auto tally_one = [&](std::size_t i) {
+    std::vector<T> part(whole.size());
+    count(*set.cases[i], part);
+    return part;
+  };
+  work_in_order(set.cases.size(), kCasesAtOnce, progress, tally_one,
+                [&](const std::vector<T>& part) {
+                  for (std::size_t i = 0; i < whole.size(); ++i) whole[i] += part[i];
+                });
+  return whole;
+}
+
+// Whether some coordinate of a position is NaN or infinite.
+bool has_bad_position(const HardCase& hard_case) {
+  return std::ranges::any_of(hard_case.vertices, [](const reference::InputVertex& v) {
+    return std::ranges::any_of(v.position, [](double x) { return !std::isfinite(x); });
+  });
+}
+
+}  // namespace
+
+Contestants case_contestants(Primitive primitive, std::string_view clipper_pattern,
+                             const std::vector<std::string>& scalars) {
+  const int vertices = static_cast<int>(vertices_of(primitive));
+  try {
+    return select_contestants(vertices > 0 ? clipper_pattern : "*", scalars, vertices);
+  } catch (const UsageError&) {
+    // The pattern names clippers of another primitive; what is wrong altogether was found before.
+    return {};
+  }
+}
+
+bool takes(const Contestant& contestant, const HardCase& hard_case) {
+  return contestant.takes(CaseBatch(hard_case));
+}
+
+Answers clip_case(const Contestant& contestant, const HardCase& hard_case) {
+  return clip(contestant, CaseBatch(hard_case));
+}
+
+Comparison judge_case(const Contestant& contestant, const HardCase& hard_case,
+                      const TruthPolygon& truth) {
+  const CaseBatch input(hard_case);
+  if (!contestant.takes(input)) return {.outcome = Outcome::not_applicable};
+  return compare(clip(contestant, input)[0], truth);
+}
+
+PromiseCheck check_case(const Contestant& contestant, const HardCase& hard_case) {
+  const CaseBatch input(hard_case);
+  if (!contestant.takes(input)) return {PromiseVerdict::outside_domain, 0, ""};
+  const Answers answers = clip(contestant, input);
+  return check_answer(contestant, hard_case, input, promise_checker(hard_case), answers[0]);
+}
+
+TruthPolygon truth_polygon(const HardCase& hard_case) {
+  return truth_polygon(truth_of(hard_case), hard_case.vertices, hard_case.attribute_count);
+}
+
+std::vector<std::array<double, 4>> positions_of(const PolygonView& polygon) {
+  std::vector<std::array<double, 4>> positions;
+  for (const VertexView& v : polygon) {
+    positions.push_back({v[0].value, v[1].value, v[2].value, v[3].value});
+  }
+  return positions;
+}
+
+void FamilyTally::add(const CaseVerdict& verdict, const HardCase& variant) {
+  const auto& [comparison, promise] = verdict;
+  if (comparison.outcome == Outcome::not_applicable) return;
+  const bool is_promised = variant.primitive == Primitive::triangle;
+  *this += {.variants = 1,
+            .failures = is_failure(comparison.outcome),
+            .broken = promise.verdict == PromiseVerdict::broken,
+            .largest_ulps = is_promised ? std::optional(promise.ulps) : std::nullopt,
+            .worst = variant.name,
+            .offender = promise.reason.empty() ? "" : variant.name + ": " + promise.reason};
+}
+
+FamilyTally& FamilyTally::operator+=(const FamilyTally& next) {
+  variants += next.variants;
+  failures += next.failures;
+  broken += next.broken;
+  if (offender.empty()) offender = next.offender;
+  if (next.largest_ulps.value_or(0) > largest_ulps.value_or(0)) worst = next.worst;
+  largest_ulps = std::max(largest_ulps, next.largest_ulps);
+  return *this;
+}
+
+PolicyTally& PolicyTally::operator+=(const PolicyTally& next) {
+  inputs += next.inputs;
+  drawn += next.drawn;
+  if (offender.empty()) offender = next.offender;
+  return *this;
+}
+
+std::vector<std::vector<CaseVerdict>> judge_cases(const CaseSet& set, Progress& progress) {
+  std::vector<std::vector<CaseVerdict>> verdicts;
+  work_in_order(
+      set.cases.size(), kCasesAtOnce, progress,
+      [&](std::size_t i) { return judge(*set.cases[i], set.contestants); },
+      [&](std::vector<CaseVerdict>& row) { verdicts.push_back(std::move(row)); });
+  return verdicts;
+}
+
+std::vector<FamilyTally> judge_families(const CaseSet& set, Progress& progress) {
+  return tally_cases<FamilyTally>(set, progress, [&](const HardCase& original, auto& tallies) {
+    std::vector<HardCase> variants = family(original);
+    std::ranges::move(special_values(original), std::back_inserter(variants));
+    for (const HardCase& variant : variants) {
+      if (!is_finite(variant)) continue;
+      const std::vector<CaseVerdict> verdicts = judge(variant, set.contestants);
+      for (std::size_t i = 0; i < tallies.size(); ++i) tallies[i].add(verdicts[i], variant);
+    }
+  });
+}
+
+std::vector<PolicyTally> judge_special_values(const CaseSet& set, Progress& progress) {
+  return tally_cases<PolicyTally>(set, progress, [&](const HardCase& original, auto& tallies) {
+    for (const HardCase& variant : special_values(original)) {
+      if (!has_bad_position(variant)) continue;
+      const CaseBatch input(variant);
+      for (std::size_t i = 0; i < tallies.size(); ++i) {
+        if (!set.contestants[i]->takes(input)) continue;
+        const bool is_drawn = !clip(*set.contestants[i], input)[0].empty();
+        tallies[i] += {.inputs = 1, .drawn = is_drawn, .offender = is_drawn ? variant.name : ""};
+      }
+    }
+  });
+}
+
+}  // namespace clipscope::experiments

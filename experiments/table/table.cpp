@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/table/table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <sstream>
+
+#include "experiments/machine/files.hpp"
+#include "experiments/table/utf8.hpp"
+
+namespace clipscope::experiments {
+namespace {
+
+constexpr std::size_t kTextWidth = 100;  // terminal columns
+constexpr std::size_t kGap = 2;
+
+// The value to the last digit, quoted where CSV asks for it (RFC 4180).
+std::string csv_cell(const Cell& cell) {
+  std::string text = full_text(cell);
+  return text.find_first_of(",\"\n") == std::string::npos ? text : double_quoted(text);
+}
+
+std::string pad(const std::string& text, std::size_t width, bool left) {
+  const std::size_t used = character_count(text);
+  const std::string blanks(width > used ? width - used : 0, ' ');
+  return left ? text + blanks : blanks + text;
+}
+
+std::string right_trimmed(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
+// A note, indented by two.
+std::string indented(const std::string& note) {
+  std::string text;
+  for (const std::string& line : wrapped(note, kTextWidth - 2)) text += "  " + line + "\n";
+  return text;
+}
+
+// Rows whose long cells go on in further rows, empty elsewhere.
+std::vector<std::vector<std::string>> broken_into_lines(
+    const std::vector<std::vector<std::string>>& rows, const std::vector<Column>& columns) {
+  std::vector<std::vector<std::string>> result;
+  for (const std::vector<std::string>& row : rows) {
+    const std::size_t first = result.size();
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::vector<std::string> lines = wrapped(row[c], columns[c].wrap);
+      while (result.size() < first + lines.size()) result.emplace_back(row.size());
+      for (std::size_t i = 0; i < lines.size(); ++i) result[first + i][c] = lines[i];
+    }
+  }
+  return result;
+}
+
+nlohmann::json json_cell(const Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return *count;
+  if (const auto* number = std::get_if<double>(&cell)) {
+    if (std::isfinite(*number)) return *number;
+    return fmt::format("{}", *number);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::size_t place_of(const Table& table, std::string_view key) {
+  const auto found = std::ranges::find(table.columns(), key, &Column::key);
+  if (found == table.columns().end()) {
+    throw MissingFigure(fmt::format("table {} has no column {}", table.name(), key));
+  }
+  return static_cast<std::size_t>(found - table.columns().begin());
+}
+
+std::string format_cell(const Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return fmt::format("{}", *count);
+  if (const auto* number = std::get_if<double>(&cell)) return format_number(*number);
+  return "-";
+}
+
+std::string full_text(const Cell& cell) {
+  if (std::holds_alternative<std::monostate>(cell)) return "";
+  const auto* number = std::get_if<double>(&cell);
+  return number != nullptr ? fmt::format("{}", *number) : format_cell(cell);
+}
+
+std::optional<double> number_of(const Cell& cell) {
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*count);
+  if (const auto* number = std::get_if<double>(&cell)) return *number;
+  return std::nullopt;
+}
+
+std::string format_number(double value) {
+  if (value == 0.0) return "0";
+  if (!std::isfinite(value)) return fmt::format("{}", value);
+  const double size = std::abs(value);
+  if (size < 1e-3 || size >= 1e6) return fmt::format("{:.1e}", value);
+  if (size >= 100) return fmt::format("{:.0f}", value);
+  const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 4);
+  return fmt::format("{:.{}f}", value, decimals);
+}
+
+std::string latex_escape(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '\\': escaped += "\\textbackslash{}"; break;
+      case '~': escaped += "\\textasciitilde{}"; break;
+      case '^': escaped += "\\textasciicircum{}"; break;
+      case '<': escaped += "\\textless{}"; break;
+      case '>': escaped += "\\textgreater{}"; break;
+      default:
+        if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) escaped += '\\';
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string latex_number(double value) {
+  std::string text = format_number(value);
+  const std::size_t e = text.find('e');
+  if (!std::isfinite(value) || e == std::string::npos) {
+    return text.starts_with('-') ? fmt::format("${}$", text) : text;
+  }
+  return fmt::format("${}\\cdot10^{{{}}}$", text.substr(0, e), std::stoi(text.substr(e + 1)));
+}
+
+Table::Table(std::string name, std::string title, std::vector<Column> columns)
+    : name_(std::move(name)), title_(std::move(title)), columns_(std::move(columns)) {}
+
+void Table::add_row(std::vector<Cell> cells) {
+  assert(cells.size() == columns_.size());
+  rows_.push_back(std::move(cells));
+}
+
+void Table::add_note(std::string note) { notes_.push_back(std::move(note)); }
+
+std::vector<std::vector<std::string>> Table::formatted() const {
+  std::vector<std::vector<std::string>> text;
+  for (const std::vector<Cell>& row : rows_) {
+    std::vector<std::string>& cells = text.emplace_back();
+    std::transform(row.begin(), row.end(), std::back_inserter(cells), format_cell);
+  }
+  return text;
+}
+
+bool Table::is_text(std::size_t column) const {
+  return std::any_of(rows_.begin(), rows_.end(), [&](const std::vector<Cell>& row) {
+    return std::holds_alternative<std::string>(row[column]);
+  });
+}
+
+std::vector<std::size_t> Table::widths(const std::vector<std::vector<std::string>>& cells) const {
+  std::vector<std::size_t> widths;
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    std::size_t width = character_count(columns_[c].head);
+    for (const auto& row : cells) width = std::max(width, character_count(row[c]));
+    widths.push_back(width);
+  }
+  return widths;
+}
+
+// Columns in blocks that fit kTextWidth, each beginning with the leading text columns.
+std::vector<std::vector<std::size_t>> Table::blocks(const std::vector<std::size_t>& widths) const {
+  std::vector<std::size_t> keys;
+  std::size_t key_width = 0;
+  while (keys.size() < columns_.size() && is_text(keys.size())) {
+    key_width += widths[keys.size()] + kGap;
+    keys.push_back(keys.size());
+  }
+  std::vector<std::vector<std::size_t>> blocks;
+  std::size_t used = 0;
+  for (std::size_t c = keys.size(); c < columns_.size(); ++c) {
+    if (blocks.empty() || used + widths[c] + kGap > kTextWidth + kGap) {
+      blocks.push_back(keys);
+      used = key_width;
+    }
+    blocks.back().push_back(c);
+    used += widths[c] + kGap;
+  }
+  if (blocks.empty()) blocks.push_back(keys);
+  return blocks;
+}
+
+std::string Table::to_text(std::size_t most) const {
+  auto cells = formatted();
+  const std::size_t hidden = cells.size() > most ? cells.size() - most : 0;
+  cells.resize(cells.size() - hidden);
+  cells = broken_into_lines(cells, columns_);
+  const std::vector<std::size_t> width = widths(cells);
+  std::string text = title_ + "\n";
+  for (const std::vector<std::size_t>& block : blocks(width)) {
+    const auto line = [&](const auto& text_of) {
+      std::string result;
+      for (const std::size_t c : block) {
+        result +=
+            std::string(result.empty() ? 0 : kGap, ' ') + pad(text_of(c), width[c], is_text(c));
+      }
+      return right_trimmed(result) + "\n";
+    };
+    text += "\n" + line([&](std::size_t c) { return columns_[c].head; });
+    text += line([&](std::size_t c) { return std::string(width[c], '-'); });
+    for (const auto& row : cells) text += line([&](std::size_t c) { return row[c]; });
+  }
+  if (hidden > 0) text += fmt::format("... and {} more rows in {}.md\n", hidden, name_);
+  for (const std::string& note : notes_) text += indented(note);
+  return text;
+}
+
+std::string Table::to_markdown() const {
+  std::string text = fmt::format("### {}\n\n|", title_);
+  for (const Column& column : columns_) text += fmt::format(" {} |", column.head);
+  text += "\n|";
+  for (std::size_t c = 0; c < columns_.size(); ++c) text += is_text(c) ? " --- |" : " ---: |";
+  text += "\n";
+  for (const auto& row : formatted()) text += fmt::format("| {} |\n", fmt::join(row, " | "));
+  for (const std::string& note : notes_) text += "\n" + note + "\n";
+  return text;
+}
+
+std::string Table::to_csv() const {
+  std::vector<std::string> keys;
+  for (const Column& column : columns_) keys.push_back(column.key);
+  std::string text = fmt::format("{}\n", fmt::join(keys, ","));
+  for (const std::vector<Cell>& row : rows_) {
+    std::vector<std::string> cells;
+    std::transform(row.begin(), row.end(), std::back_inserter(cells), csv_cell);
+    text += fmt::format("{}\n", fmt::join(cells, ","));
+  }
+  return text;
+}
+
+std::string Table::to_latex() const {
+  std::string text = fmt::format("% {}\n\\begin{{tabular}}{{", title_);
+  for (std::size_t c = 0; c < columns_.size(); ++c) text += is_text(c) ? 'l' : 'r';
+  text += "}\n\\toprule\n";
+  std::vector<std::string> heads;
+  for (const Column& column : columns_) heads.push_back(latex_escape(column.head));
+  text += fmt::format("{} \\\\\n\\midrule\n", fmt::join(heads, " & "));
+  for (std::vector<std::string> row : formatted()) {
+    std::transform(row.begin(), row.end(), row.begin(), latex_escape);
+    text += fmt::format("{} \\\\\n", fmt::join(row, " & "));
+  }
+  text += "\\bottomrule\n\\end{tabular}\n";
+  for (const std::string& note : notes_) text += "% " + note + "\n";
+  return text;
+}
+
+nlohmann::json Table::to_json() const {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const std::vector<Cell>& row : rows_) {
+    nlohmann::json object = nlohmann::json::object();
+    for (std::size_t c = 0; c < columns_.size(); ++c) object[columns_[c].key] = json_cell(row[c]);
+    rows.push_back(std::move(object));
+  }
+  return {{"name", name_}, {"title", title_}, {"rows", std::move(rows)}, {"notes", notes_}};
+}
+
+void Table::write(const std::filesystem::path& directory) const {
+  write_file(directory / (name_ + ".md"), to_markdown());
+  write_file(directory / (name_ + ".csv"), to_csv());
+  write_file(directory / (name_ + ".tex"), to_latex());
+}
+
+}  // namespace clipscope::experiments

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Texts in UTF-8: made valid, measured, broken into lines, quoted.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace clipscope::experiments {
+
+// The text with each byte that belongs to no well-formed UTF-8 sequence (RFC 3629: no overlong
+// forms, no surrogates, none past U+10FFFF) replaced, by U+FFFD unless told otherwise.
+std::string valid_utf8(std::string_view text, std::string_view replacement = "\xEF\xBF\xBD");
+
+// Code points: the columns of a terminal that a text without wide characters takes.
+std::size_t character_count(std::string_view text);
+
+// The words of a text in lines of at most `width` characters; one line where it is 0.
+std::vector<std::string> wrapped(const std::string& text, std::size_t width);
+
+// In double quotes, those within it doubled, as CSV and SQL have it.
+std::string double_quoted(std::string_view text);
+
+}  // namespace clipscope::experiments

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sched.h>
+
+#include "experiments/clock/clock.hpp"
+#include "experiments/machine/machine.hpp"
+#include "tests/catch.hpp"
+
+using namespace clipscope::experiments;
+
+namespace {
+
+// Takes so many steps for its whole work, of 100 items.
+Task counting(int steps, double least = 1, double most = 1) {
+  return {.work =
+              [=](double share) {
+                volatile double sum = 0;
+                for (int i = 0; i < steps * share; ++i) sum = sum + i;
+                return static_cast<std::size_t>(100 * share);
+              },
+          .check = nothing_to_check,
+          .least_share = least,
+          .most_share = most};
+}
+
+constexpr ClockOptions kFew{.rounds = 7, .milliseconds_per_run = 0.2, .baseline = 0};
+
+}  // namespace
+
+TEST_CASE("clock: each task has one sample per round, a sane interval, and its ratio") {
+  const std::vector<Task> tasks = {counting(20000), counting(200000)};
+  const std::vector<Timing> timings = time_in_turn(tasks, kFew);
+  REQUIRE(timings.size() == 2);
+  for (const Timing& t : timings) {
+    CHECK(t.is_timed());
+    CHECK(t.samples_ns.size() == 7);
+    CHECK(t.ns.low > 0);
+    CHECK(t.ns.low <= t.ns.median);
+    CHECK(t.ns.median <= t.ns.high);
+  }
+  CHECK(timings[0].speedup.value().median == 1);
+  CHECK(timings[1].speedup.value().median < 0.5);
+}
+
+TEST_CASE("clock: a task whose answer is wrong is not timed, and the others are") {
+  int runs = 0;
+  Task wrong = counting(1000);
+  wrong.work = [&](double) -> std::size_t { return ++runs; };
+  wrong.check = [] { return "it is wrong"; };
+  const std::vector<Timing> timings = time_in_turn(std::vector{counting(1000), wrong}, kFew);
+  CHECK(timings[0].is_timed());
+  CHECK(timings[1].refused == "it is wrong");
+  CHECK(timings[1].samples_ns.empty());
+  CHECK(runs == 0);
+}
+
+TEST_CASE("clock: without its baseline a task has a time and no ratio") {
+  Task wrong = counting(1000);
+  wrong.check = [] { return "it is wrong"; };
+  const std::vector<Timing> timings = time_in_turn(std::vector{wrong, counting(1000)}, kFew);
+  CHECK(timings[1].is_timed());
+  CHECK_FALSE(timings[1].speedup);
+}
+
+TEST_CASE("clock: a slow task does a share of its work, a quick one its work several times") {
+  std::vector<double> shares;
+  const auto noted = [&](Task task) {
+    return Task{.work =
+                    [&shares, task](double share) {
+                      shares.push_back(share);
+                      return task.work(share);
+                    },
+                .check = nothing_to_check,
+                .least_share = task.least_share,
+                .most_share = task.most_share};
+  };
+  time_in_turn(std::vector{noted(counting(50'000'000, 0.001))}, kFew);
+  CHECK(shares.back() < 0.5);
+  CHECK(shares.back() >= 0.001);
+  time_in_turn(std::vector{noted(counting(100, 1, kRepeated))}, kFew);
+  CHECK(shares.back() > 1);
+  CHECK(shares.back() == std::floor(shares.back()));
+}
+
+TEST_CASE("clock: tasks run in turn, each once per round, in an order that rotates") {
+  std::vector<int> order;
+  std::vector<Task> tasks(3);
+  for (int i = 0; i < 3; ++i) {
+    tasks[static_cast<std::size_t>(i)] = {.work = [&order, i](double) -> std::size_t {
+                                            order.push_back(i);
+                                            return 1;
+                                          },
+                                          .check = nothing_to_check};
+  }
+  const std::vector<Timing> timings = time_in_turn(tasks, {.rounds = 3});
+  // A warm run each, then the rounds.
+  CHECK(order == std::vector{0, 1, 2, 0, 1, 2, 1, 2, 0, 2, 0, 1});
+  for (const Timing& t : timings) CHECK(t.samples_ns.size() == 3);
+}
+
+TEST_CASE("clock: ratios are formed sample by sample") {
+  CHECK(ratios(std::vector{2.0, 9.0}, std::vector{1.0, 3.0}) == std::vector{2.0, 3.0});
+}
+
+TEST_CASE("clock: a thread can be pinned and is freed again") {
+  cpu_set_t before, after;
+  REQUIRE(sched_getaffinity(0, sizeof before, &before) == 0);
+  {
+    const PinnedThread pinned;
+    cpu_set_t during;
+    REQUIRE(sched_getaffinity(0, sizeof during, &during) == 0);
+    if (pinned.pinned()) CHECK(CPU_COUNT(&during) == 1);
+  }
+  REQUIRE(sched_getaffinity(0, sizeof after, &after) == 0);
+  CHECK(CPU_EQUAL(&before, &after));
+}

@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// clipscope clip, as a user runs it. Answers are checked by hand.
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/catch.hpp"
+#include "tests/experiments/commands/program.hpp"
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+constexpr const char* kHalfOutside = "0 0 -2  3 0 -2  0 1 -2\n";
+
+// What `clip` writes without the head.
+Lines rows_of(const Folder& folder, const std::string& options, const std::string& input) {
+  const Result r = folder.run("clip " + options, input);
+  INFO(options << "\n" << r.err);
+  REQUIRE(r.code == 0);
+  Lines rows = lines(r.out);
+  REQUIRE(!rows.empty());
+  rows.erase(rows.begin());
+  return rows;
+}
+
+std::vector<double> numbers_of(const std::string& row) {
+  std::vector<double> numbers;
+  std::istringstream stream(row);
+  for (std::string word; std::getline(stream, word, ',');) numbers.push_back(std::stod(word));
+  return numbers;
+}
+
+// Twice the area of each part of the only polygon: its rows are polygon,part,vertex,x,y,...
+std::vector<double> twice_areas(const Lines& rows) {
+  std::vector<std::vector<std::vector<double>>> parts;
+  for (const std::string& row : rows) {
+    const auto numbers = numbers_of(row);
+    parts.resize(static_cast<std::size_t>(numbers.at(1)) + 1);
+    parts.back().push_back(numbers);
+  }
+  std::vector<double> areas;
+  for (const auto& part : parts) {
+    double& area = areas.emplace_back(0);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const auto &p = part[i], &q = part[(i + 1) % part.size()];
+      area += p[3] * q[4] - p[4] * q[3];
+    }
+  }
+  return areas;
+}
+
+std::size_t vertices_of(const std::string& primitive) {
+  return primitive == "point" ? 1 : primitive == "segment" ? 2 : primitive == "triangle" ? 3 : 4;
+}
+
+// One in view space, inside.
+std::string primitive_input(const std::string& primitive) {
+  const Lines square = {"-0.5 -0.5 -2 ", "0.5 -0.5 -2 ", "0.5 0.5 -2 ", "-0.5 0.5 -2 "};
+  std::string line;
+  for (std::size_t i = 0; i < vertices_of(primitive); ++i) line += square[i];
+  return line + "\n";
+}
+
+// A dart: (0, -0.25) is reflex, and the one way to cut it is from there to (0, 0.5).
+constexpr const char* kDart = "-0.5 -0.5 0 1  0 -0.25 0 1  0.5 -0.5 0 1  0 0.5 0 1\n";
+constexpr const char* kSquare = "-0.5 -0.5 0 1  0.5 -0.5 0 1  0.5 0.5 0 1  -0.5 0.5 0 1\n";
+constexpr const char* kBowTie = "-0.5 -0.5 0 1  0.5 0.5 0 1  0.5 -0.5 0 1  -0.5 0.25 0 1\n";
+
+}  // namespace
+
+TEST_CASE("clip: writes a row per vertex") {
+  const Folder folder;
+  const Result r =
+      folder.run("clip --space view --perspective 90,1,1,10 --clipper textbook", kHalfOutside);
+  REQUIRE(r.code == 0);
+  const auto rows = lines(r.out);
+  REQUIRE(rows.size() == 5);
+  CHECK(rows[0] == "triangle,vertex,x,y,z,inv_w");
+  CHECK(rows[1].starts_with("0,0,0,0,"));
+  CHECK(rows[2].starts_with("0,1,1,0,"));
+}
+
+TEST_CASE("clip: numbers triangles in input order and skips those without output") {
+  const Folder folder;
+  const Result r = folder.run("clip --space clip --attributes 1",
+                              "# nothing of this one\n5 0 0 1 0, 6 0 0 1 0, 5 1 0 1 0\n\n"
+                              "0,0,0,1,7 0.5,0,0,1,8 0,0.5,0,1,9 # inside\n");
+  REQUIRE(r.code == 0);
+  CHECK(lines(r.out) == std::vector<std::string>{"triangle,vertex,x,y,z,inv_w,a0", "1,0,0,0,0,1,7",
+                                                 "1,1,0.5,0,0,1,8", "1,2,0,0.5,0,1,9"});
+}
+
+TEST_CASE("clip: reads and writes hex floats without losing a bit") {
+  const Folder folder;
+  const std::string third = "0x1.555556p-2";
+  const Result r =
+      folder.run("clip --space clip --hex", third + " 0 0 1  0x1p-1 0 0 1  0 0x1p-1 0 1\n");
+  REQUIRE(r.code == 0);
+  CHECK(contains(r.out, "0,0," + third + ",0x0p+0,0x0p+0,0x1p+0"));
+}
+
+TEST_CASE("clip: depth conventions and projections reach the clipper") {
+  const Folder folder;
+  const auto z_of = [&](const std::string& options) {
+    const Result r =
+        folder.run("clip --space view --scalar double " + options, "0 0 -1  0.5 0 -1  0 0.5 -1\n");
+    REQUIRE(r.code == 0);
+    return lines(r.out).at(1);
+  };
+  CHECK(z_of("--frustum -1,1,-1,1,1,10 --depth gl") == "0,0,0,0,-1,1");
+  CHECK(z_of("--frustum -1,1,-1,1,1,10 --depth zero_to_one") == "0,0,0,0,0,1");
+  CHECK(z_of("--frustum -1,1,-1,1,1,inf --depth reversed") == "0,0,0,0,1,1");
+  CHECK(z_of("--ortho -1,1,-1,1,1,10 --depth reversed") == "0,0,0,0,1,1");
+}
+
+TEST_CASE("clip: a malformed line is named with its number, exit 3, and nothing is written") {
+  const Folder folder;
+  const auto expect = [&](const std::string& input, const std::string& message) {
+    const Result r = folder.run("clip --space view --perspective 90,1,1,10", input);
+    INFO(r.err);
+    CHECK(r.code == 3);
+    CHECK(r.out.empty());
+    CHECK(contains(r.err, message));
+  };
+  expect(std::string(kHalfOutside) + "1 2 3\n", "standard input:2: found 3 numbers");
+  expect("0 0 -2  3 0 -2  0 one -2\n", "standard input:1: 'one' is not a number");
+  expect("0 0 -2  3 0 -2  0 nan -2\n", "'nan' is not finite");
+  expect("0 0 -2  3 0 -2  0 1e39 -2\n", "'1e39' is not finite as a float");
+  const Result missing = folder.run("clip --space view --perspective 90,1,1,10 /no/such/file");
+  CHECK(missing.code == 3);
+  CHECK(contains(missing.err, "/no/such/file"));
+}
+
+TEST_CASE("clip: every clipper clips, and every primitive in every scalar") {
+  const Folder folder;
+  const auto check = [&](const std::string& primitive, const std::string& options) {
+    const std::size_t rows =
+        rows_of(folder, "--ortho -1,1,-1,1,1,10 --primitive " + primitive + options,
+                primitive_input(primitive))
+            .size();
+    INFO(primitive << options);
+    CHECK(rows == vertices_of(primitive));
+  };
+  const auto clippers = nlohmann::json::parse(folder.run("list clippers --json").out);
+  REQUIRE(clippers.size() >= 34);
+  for (const auto& clipper : clippers) {
+    check(clipper["primitive"], " --clipper " + clipper["name"].get<std::string>());
+  }
+  const auto scalars = nlohmann::json::parse(folder.run("list scalars --json").out);
+  REQUIRE(scalars.size() == 5);
+  for (const auto& scalar : scalars) {
+    for (const char* primitive : {"point", "segment", "triangle", "polygon"}) {
+      check(primitive, " --scalar " + scalar["name"].get<std::string>());
+    }
+  }
+}
+
+TEST_CASE("clip: a clipper takes the volume's options unless its promise says that it does not") {
+  const Folder folder;
+  const auto clippers = nlohmann::json::parse(folder.run("list clippers --json").out);
+  std::set<bool> met;
+  for (const auto& clipper : clippers) {
+    const std::string primitive = clipper["primitive"], promise = clipper["promise"];
+    const auto check = [&](const std::string& option, const std::string& name) {
+      const Result r =
+          folder.run("clip --ortho -1,1,-1,1,1,10 --primitive " + primitive + " --clipper " +
+                         clipper["name"].get<std::string>() + " " + option,
+                     primitive_input(primitive));
+      const std::string refused = "; does not take ";
+      const bool takes =
+          !contains(promise, refused) || !contains(promise.substr(promise.find(refused)), name);
+      INFO(clipper["name"] << " " << option << "\n" << r.err);
+      CHECK(r.code == (takes ? 0 : 2));
+      CHECK(contains(r.err, takes ? "" : "does not take"));
+      met.insert(takes);
+    };
+    check("--depth-clamp", "depth clamp");
+    check("--plane 1,0,0,3", "clip distances");
+  }
+  CHECK(met.size() == 2);
+}
+
+TEST_CASE("clip: a segment keeps its order and its attributes stay linear") {
+  const Folder folder;
+  const Result r =
+      folder.run("clip --primitive segment --space clip --attributes 1",
+                 "-2 0 0 1 0  2 0 0 1 4\n5 0 0 1 0  6 0 0 1 0\n2 0 0 1 4  0 0 0 1 2\n");
+  REQUIRE(r.code == 0);
+  CHECK(lines(r.out) == Lines{"segment,vertex,x,y,z,inv_w,a0", "0,0,-1,0,0,1,1", "0,1,1,0,0,1,3",
+                              "2,0,1,0,0,1,3", "2,1,0,0,0,1,2"});
+}
+
+TEST_CASE("clip: a point is there or not") {
+  const Folder folder;
+  const Result r = folder.run("clip --primitive point --ortho -2,2,-2,2,1,3",
+                              "1 1 -2\n3 0 -2 # outside\n-2 2 -2\n");
+  REQUIRE(r.code == 0);
+  CHECK(lines(r.out) == Lines{"point,vertex,x,y,z,inv_w", "0,0,0.5,0.5,0,1", "2,0,-1,1,0,1"});
+}
+
+TEST_CASE("clip: a large point stays for pop_free while its square is in sight") {
+  const Folder folder;
+  // 1.125 in NDC: an eighth of 1 outside is 16 of the 256 pixels, half of a square of 32.
+  const auto kept = [&](const std::string& options) {
+    return rows_of(folder, "--primitive point --space clip " + options, "1.125 0 0 1\n").size();
+  };
+  CHECK(kept("--clipper pop_free --point-size 32 --viewport 256x256") == 1);
+  CHECK(kept("--clipper pop_free --point-size 31.5 --viewport 256x256") == 0);
+  CHECK(kept("--clipper pop_free --point-size 32 --viewport 257x8 --scalar exact") == 0);
+  CHECK(kept("--clipper pop_free --point-size 32 --viewport 256x8 --scalar exact") == 1);
+  CHECK(kept("--clipper pop_free") == 0);
+  CHECK(kept("--clipper pop --point-size 32 --viewport 256x256") == 0);
+  CHECK(kept("--point-size 32 --viewport 256x256") == 0);
+}
+
+TEST_CASE("clip: a convex polygon of any size is one part") {
+  const Folder folder;
+  const Result r = folder.run("clip --primitive polygon --space clip --attributes 1",
+                              "0 -0.5 0 1 0  2 -0.5 0 1 2  2 0 0 1 2  2 0.5 0 1 2  0 0.5 0 1 0\n");
+  REQUIRE(r.code == 0);
+  CHECK(lines(r.out) == Lines{"polygon,part,vertex,x,y,z,inv_w,a0", "0,0,0,0,-0.5,0,1,0",
+                              "0,0,1,1,-0.5,0,1,1", "0,0,2,1,0.5,0,1,1", "0,0,3,0,0.5,0,1,0"});
+}
+
+TEST_CASE("clip: a concave polygon is cut into triangles first") {
+  const Folder folder;
+  const auto areas = [&](const std::string& options) {
+    return twice_areas(rows_of(folder, "--primitive polygon --space clip " + options, kDart));
+  };
+  // Each half has half of width 0.5 times height 0.75.
+  CHECK(areas("") == std::vector<double>{0.375, 0.375});
+  CHECK(areas("--clipper textbook") == std::vector<double>{0.375, 0.375});
+  // x >= 0 leaves one half.
+  CHECK(areas("--plane 1,0,0,0").back() == 0.375);
+  CHECK(rows_of(folder, "--primitive polygon --space clip --plane 1,0,0,0", kDart).size() == 3);
+  // Below y = -0.25 each half keeps a triangle of width 0.375 and height 0.25.
+  CHECK(areas("--plane 0,-1,0,-0.25") == std::vector<double>{0.09375, 0.09375});
+}
+
+TEST_CASE("clip: a clipper of triangles gets every polygon in triangles") {
+  const Folder folder;
+  const auto areas = [&](const std::string& options) {
+    return twice_areas(rows_of(folder, "--primitive polygon --space clip " + options, kSquare));
+  };
+  CHECK(areas("") == std::vector<double>{2});
+  CHECK(areas("--clipper homogeneous/polygon") == std::vector<double>{2});
+  CHECK(areas("--clipper homogeneous/pipeline") == std::vector<double>{1, 1});
+}
+
+TEST_CASE("clip: polygons of view space may start in view space") {
+  const Folder folder;
+  const Lines rows =
+      rows_of(folder, "--primitive polygon --ortho -1,1,-1,1,1,3 --clipper view/sutherland_hodgman",
+              "-0.5 -0.5 -2  0 -0.25 -2  0.5 -0.5 -2  0 0.5 -2\n");
+  CHECK(twice_areas(rows) == std::vector<double>{0.375, 0.375});
+}
+
+TEST_CASE("clip: a user plane cuts in the space of the input") {
+  const Folder folder;
+  // View space, x >= 0 of the triangle beneath the diagonal of a square.
+  CHECK(rows_of(folder, "--ortho -1,1,-1,1,1,3 --plane 1,0,0,0",
+                "-0.5 -0.5 -2  0.5 -0.5 -2  0.5 0.5 -2\n") ==
+        Lines{"0,0,0,0,0,1", "0,1,0,-0.5,0,1", "0,2,0.5,-0.5,0,1", "0,3,0.5,0.5,0,1"});
+  // View space, x >= 1: half of the width, the frustum being 2 wide to each side.
+  CHECK(rows_of(folder, "--primitive segment --ortho -2,2,-2,2,1,3 --plane 1,0,0,-1",
+                "0 0 -2  2 0 -2\n") == Lines{"0,0,0.5,0,0,1", "0,1,1,0,0,1"});
+  // Clip space, x >= w / 2 with w = 2.
+  CHECK(rows_of(folder, "--primitive segment --space clip --plane 1,0,0,-0.5",
+                "0 0 0 2  2 0 0 2\n") == Lines{"0,0,0.5,0,0,0.5", "0,1,1,0,0,0.5"});
+}
+
+TEST_CASE("clip: --plane may be given again, in every scalar") {
+  const Folder folder;
+  for (const char* scalar : {"float", "double", "double_double", "exact", "counting"}) {
+    INFO(scalar);
+    const std::string options =
+        "--primitive segment --space clip --hex --plane 1,0,0,0.5 --plane -1,0,0,0.5 --scalar ";
+    const Lines rows = rows_of(folder, options + scalar, "-2 0 0 1  2 0 0 1\n");
+    CHECK(rows == Lines{"0,0,-0x1p-1,0x0p+0,0x0p+0,0x1p+0", "0,1,0x1p-1,0x0p+0,0x0p+0,0x1p+0"});
+  }
+}
+
+TEST_CASE("clip: a clipper of many triangles at once is cut by planes and clip distances, too") {
+  const Folder folder;
+  const std::string options =
+      "--ortho -1,1,-1,1,1,3 --attributes 1 --clip-distances 1 --plane 1,0,0,0";
+  const std::string input = "-0.5 -0.5 -2 1  0.5 -0.5 -2 1  0.5 0.5 -2 -1\n";
+  const Lines rows = rows_of(folder, options, input);
+  CHECK(rows ==
+        Lines{"0,0,0,0,0,1,0", "0,1,0,-0.5,0,1,1", "0,2,0.5,-0.5,0,1,1", "0,3,0.5,0,0,1,0"});
+  CHECK(rows_of(folder, options + " --clipper homogeneous/batch", input) == rows);
+}
+
+TEST_CASE("clip: double-double is written to 32 digits") {
+  const Folder folder;
+  const Lines rows =
+      rows_of(folder, "--primitive point --space clip --scalar double_double", "1 0 0 3\n");
+  const std::string third = "3.33333333333333333333333333333332e-01",
+                    zero = "0.00000000000000000000000000000000e+00";
+  CHECK(rows == Lines{"0,0," + third + "," + zero + "," + zero + "," + third});
+}
+
+TEST_CASE("clip: however many primitives there are, each keeps its number") {
+  const Folder folder;
+  std::string input;
+  for (int i = 0; i < 3000; ++i) input += i % 2 == 0 ? "0 0 0 1\n" : "2 0 0 1\n";
+  const Lines rows = rows_of(folder, "--primitive point --space clip", input);
+  REQUIRE(rows.size() == 1500);
+  CHECK(rows.front() == "0,0,0,0,0,1");
+  CHECK(rows[700] == "1400,0,0,0,0,1");
+  CHECK(rows.back() == "2998,0,0,0,0,1");
+}
+
+TEST_CASE("clip: the first attributes are clip distances, and stay; those of planes do not") {
+  const Folder folder;
+  const std::string input = "0 0 0 1 1 5  0.5 0 0 1 -1 5  0 0.5 0 1 1 9\n";
+  const Lines cut = {"0,0,0,0,0,1,1,5", "0,1,0.25,0,0,1,0,5", "0,2,0.25,0.25,0,1,0,7",
+                     "0,3,0,0.5,0,1,1,9"};
+  CHECK(rows_of(folder, "--space clip --attributes 2 --clip-distances 1", input) == cut);
+  CHECK(rows_of(folder, "--space clip --attributes 2 --plane -1,0,0,0.75 --clip-distances 1",
+                input) == cut);
+  CHECK(rows_of(folder, "--space clip --attributes 2", input).size() == 3);
+  CHECK(rows_of(folder, "--primitive point --space clip --attributes 1 --clip-distances 1",
+                "0 0 0 1 -0.5\n0 0 0 1 0\n") == Lines{"1,0,0,0,0,1,0"});
+}
+
+TEST_CASE("clip: with depth clamp near and far do not cut") {
+  const Folder folder;
+  const std::string input = "0 0 -2 1  0.5 0 2 1\n";
+  const std::string options = "--primitive segment --space clip";
+  CHECK(rows_of(folder, options, input) == Lines{"0,0,0.125,0,-1,1", "0,1,0.375,0,1,1"});
+  CHECK(rows_of(folder, options + " --depth-clamp", input) ==
+        Lines{"0,0,0,0,-2,1", "0,1,0.5,0,2,1"});
+}
+
+TEST_CASE("clip: a line with the wrong count of numbers is named, with the count expected") {
+  const Folder folder;
+  const auto expect = [&](const std::string& options, const std::string& input,
+                          const std::string& message) {
+    const Result r = folder.run("clip --space clip --primitive " + options, input);
+    INFO(r.err);
+    CHECK(r.code == 3);
+    CHECK(r.out.empty());
+    CHECK(contains(r.err, message));
+  };
+  expect("point", "0 0 0 1\n0 0 0\n",
+         "standard input:2: found 3 numbers; a point in clip space takes 4: 1 vertex of 4");
+  expect("segment --attributes 1", "0 0 0 1  1 0 0 1\n",
+         "found 8 numbers; a segment in clip space takes 10: 2 vertices of 4 coordinates and 1");
+  const std::string polygon = "a polygon in clip space takes a multiple of 4 from 12: 3 or more";
+  expect("polygon", "0 0 0 1  1 0 0 1  1 1 0 1  5\n", "found 13 numbers; " + polygon);
+  expect("polygon", "0 0 0 1  1 0 0 1\n", "found 8 numbers; " + polygon);
+  expect("polygon", kSquare + std::string(kBowTie), "standard input:2: edges of the polygon cross");
+  expect("polygon --clipper textbook", kBowTie, "standard input:1: edges of the polygon cross");
+  expect("polygon", "0 0 0 1  1 0 0 1  2 0 0 1\n", "standard input:1: the polygon has no area");
+}
+
+TEST_CASE("clip: wrong options and names are usage errors, exit 2") {
+  const Folder folder;
+  const auto expect = [&](const std::string& arguments, const std::string& message) {
+    const Result r = folder.run(arguments, kHalfOutside);
+    INFO(arguments << "\n" << r.err);
+    CHECK(r.code == 2);
+    CHECK(r.out.empty());
+    CHECK(contains(r.err, message));
+  };
+  expect("clip --space view", "--perspective");
+  expect("clip --space clip --perspective 90,1,1,10", "--space view");
+  expect("clip --space view --perspective 90,1,10,1", "near < far");
+  expect("clip --space view --perspective 190,1,1,10", "FOVY");
+  expect("clip --space clip --clipper view/sutherland_hodgman", "not applicable");
+  expect("clip --space clip --clipper nobody", "homogeneous/sutherland_hodgman");
+  expect("clip --space clip --scalar half", "double_double");
+  expect("clip --space clip --attributes 33", "--attributes");
+  expect("clip --ortho -1,1,-1,1,1,9 --clipper view/unit_normals --scalar exact",
+         "view/unit_normals needs an operation that exact does not have");
+  expect("clip --space clip --primitive line", "--primitive");
+  expect("clip --space clip --primitive segment --clipper textbook",
+         "no clipper of segments matches 'textbook'; there are: view/cyrus_beck");
+  expect("clip --space clip --primitive point --clipper textbook", "point/pop, point/pop_free");
+  expect("clip --space clip --clipper point/pop", "no clipper of triangles matches 'point/pop'");
+  expect("clip --space clip --primitive polygon --clipper point/pop",
+         "of polygons there is homogeneous/polygon");
+  expect("clip --space clip --primitive polygon --clipper view/sutherland_hodgman",
+         "not applicable");
+  expect("clip --space clip --primitive polygon --scalar half", "no scalar is called 'half'");
+  expect("clip --space clip --primitive segment --clipper view/cyrus_beck", "not applicable");
+  expect("clip --space clip --clip-distances 1", "--attributes gives 0");
+  expect("clip --space clip --attributes 9 --clip-distances 9", "--clip-distances");
+  expect("clip --space clip --attributes 8 --clip-distances 8 --plane 1,0,0,1",
+         "planes (1) and clip distances (8) are more than 8");
+  expect("clip --space clip --attributes 32 --plane 1,0,0,1", "attributes (32) are more than 32");
+  expect("clip --space clip --plane 1,0,0", "A,B,C,D");
+  expect("clip --space clip --plane 1,0,0,nan", "--plane");
+  expect("clip --space clip --plane 1,0,0,1e39", "not finite in float");
+  expect("clip --ortho -1,1,-1,1,1,10 --depth-clamp --clipper cvv/near_first",
+         "cvv/near_first does not take --depth-clamp");
+  expect("clip --space clip --primitive point --point-size 3", "--viewport");
+  expect("clip --space clip --primitive point --viewport 64x64", "--point-size");
+  expect("clip --space clip --primitive point --point-size 3 --viewport 64", "WxH");
+  expect("clip --space clip --primitive point --point-size 3 --viewport 64x0", "WxH");
+  expect("clip --space clip --primitive point --point-size -3 --viewport 6x6", "--point-size");
+  expect("clip --space clip --primitive point --point-size inf --viewport 6x6 --scalar exact",
+         "--point-size");
+  expect("clip --space clip --point-size 3 --viewport 64x64", "--primitive point");
+}

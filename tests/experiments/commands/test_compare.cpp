@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// clipscope compare, as a user runs it.
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "experiments/contestants/contestant.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/commands/program.hpp"
+
+namespace fs = std::filesystem;
+using namespace clipscope::experiments;
+
+TEST_CASE("cli: compare tabulates every clipper on a mesh of the user's") {
+  const Folder folder;
+  const fs::path mesh =
+      folder.file("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\nf 1 2 3\nf 2 4 3\n");
+  const Result r = folder.run("compare --scene " + mesh.string() + " --quick --json --out " +
+                              (folder.path() / "tables").string());
+  INFO(r.err);
+  REQUIRE(r.code == 0);
+  const auto rows = nlohmann::json::parse(r.out)["rows"];
+  const auto contestants = std::ranges::count_if(all_contestants(), [](const Contestant& c) {
+    return c.contract == Contract::full && c.vertices == 3 &&
+           (c.scalar() == "float" || c.scalar() == "double");
+  });
+  CHECK(static_cast<std::ptrdiff_t>(rows.size()) == contestants);
+  for (const auto& row : rows) {
+    CHECK(row.contains("max_px"));
+    CHECK(row["ns_per_triangle"].get<double>() > 0);
+    CHECK(row["timing_refused"].is_null());
+  }
+  CHECK(fs::exists(folder.path() / "tables" / "compare.csv"));
+}
+
+TEST_CASE("cli: a bad mesh is named with its place, exit 3") {
+  const Folder folder;
+  const fs::path mesh = folder.file("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  const Result r = folder.run("compare --quick --scene " + mesh.string());
+  CHECK(r.code == 3);
+  CHECK(contains(r.err, "bad.obj:4"));
+}

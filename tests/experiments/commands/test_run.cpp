@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// clipscope run, as a user runs it.
+#include <filesystem>
+
+#include "experiments/selection/select.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/commands/program.hpp"
+
+namespace fs = std::filesystem;
+
+TEST_CASE("cli: run writes tables in three formats and pictures, and can be told where") {
+  const Folder folder;
+  const fs::path out = folder.path() / "results";
+  const Result r = folder.run(
+      "run accuracy pictures --quick --sample 20 --scene corridor --scalar float --out " +
+      out.string());
+  INFO(r.err);
+  REQUIRE(r.code == 0);
+  for (const char* name : {"accuracy.md", "accuracy.csv", "accuracy.tex", "pictures.csv",
+                           "corridor-cvv-naive.png", "corridor-cvv-naive.exr"}) {
+    INFO(name);
+    CHECK(fs::exists(out / name));
+  }
+  CHECK(lines(read(out / "accuracy.csv")).size() ==
+        clipscope::experiments::clipper_names().size() + 1);
+  CHECK(folder.run("run cost --quick --out /proc/no").code == 4);
+}
+
+TEST_CASE("cli: the same seed gives the same accuracy table") {
+  const Folder folder;
+  const std::string arguments =
+      "run accuracy --quick --sample 20 --scene soup --seed 5 --json --out " +
+      (folder.path() / "r").string();
+  const Result a = folder.run(arguments);
+  const Result b = folder.run(arguments);
+  REQUIRE(a.code == 0);
+  CHECK(a.out == b.out);
+}

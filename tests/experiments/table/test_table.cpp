@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "experiments/machine/errors.hpp"
+#include "experiments/table/table.hpp"
+#include "tests/catch.hpp"
+
+using namespace clipscope::experiments;
+
+namespace {
+
+Table small_table() {
+  Table table("small", "A small table", {{"name", "name"}, {"max_px", "max [px]"}, {"count", "n"}});
+  table.add_row({std::string("a,b \"c\""), 0.125, std::int64_t{3}});
+  table.add_row({std::string("d_e"), Cell(), std::int64_t{-12}});
+  return table;
+}
+
+std::string read(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("table: numbers are shown with three digits, plain or with a power of ten") {
+  CHECK(format_number(0) == "0");
+  CHECK(format_number(0.125) == "0.125");
+  CHECK(format_number(13.42) == "13.4");
+  CHECK(format_number(1234.5) == "1234");
+  CHECK(format_number(2.08e-7) == "2.1e-07");
+  CHECK(format_number(3.2e8) == "3.2e+08");
+  CHECK(format_number(-0.5) == "-0.500");
+}
+
+TEST_CASE("table: CSV quotes what needs it and leaves missing values empty") {
+  CHECK(small_table().to_csv() == "name,max_px,count\n\"a,b \"\"c\"\"\",0.125,3\nd_e,,-12\n");
+}
+
+TEST_CASE("table: Markdown aligns numbers to the right") {
+  const std::string text = small_table().to_markdown();
+  CHECK(text.find("| name | max [px] | n |\n| --- | ---: | ---: |\n") != std::string::npos);
+  CHECK(text.find("| d_e | - | -12 |") != std::string::npos);
+}
+
+TEST_CASE("table: LaTeX escapes what TeX would eat and uses booktabs rules") {
+  const std::string text = small_table().to_latex();
+  CHECK(text.find("d\\_e & - & -12 \\\\") != std::string::npos);
+  CHECK(text.find("\\toprule") != std::string::npos);
+  CHECK(text.find("{lrr}") != std::string::npos);
+}
+
+TEST_CASE("table: JSON keeps types") {
+  const auto rows = small_table().to_json()["rows"];
+  CHECK(rows[0]["max_px"] == 0.125);
+  CHECK(rows[0]["count"] == 3);
+  CHECK(rows[1]["max_px"].is_null());
+}
+
+TEST_CASE("table: a wide table is continued beneath, never wider than 100 columns") {
+  std::vector<Column> columns = {{"name", "name"}};
+  for (int i = 0; i < 30; ++i) {
+    columns.push_back({"c" + std::to_string(i), "column " + std::to_string(i)});
+  }
+  Table table("wide", "A wide table", columns);
+  std::vector<Cell> cells = {std::string("the row's name")};
+  for (int i = 0; i < 30; ++i) cells.emplace_back(1.5 * i);
+  table.add_row(cells);
+  table.add_note(std::string(40, 'x') + " " + std::string(40, 'y') + " " + std::string(40, 'z'));
+  std::istringstream lines(table.to_text());
+  int with_name = 0;
+  for (std::string line; std::getline(lines, line);) {
+    CHECK(line.size() <= 100);
+    with_name += line.starts_with("the row's name") ? 1 : 0;
+  }
+  CHECK(with_name > 1);
+}
+
+TEST_CASE("table: files are written whole into a folder that is made") {
+  const auto folder = std::filesystem::temp_directory_path() / "clipscope-table-test" / "deep";
+  std::filesystem::remove_all(folder.parent_path());
+  small_table().write(folder);
+  CHECK(read(folder / "small.csv") == small_table().to_csv());
+  CHECK(std::filesystem::exists(folder / "small.md"));
+  CHECK(std::filesystem::exists(folder / "small.tex"));
+  CHECK_FALSE(std::filesystem::exists(folder / "small.csv.part"));
+  std::filesystem::remove_all(folder.parent_path());
+}
+
+TEST_CASE("table: a folder that is a file is an error that names it") {
+  const auto file = std::filesystem::temp_directory_path() / "clipscope-table-file";
+  std::ofstream(file) << "in the way";
+  CHECK_THROWS_AS(small_table().write(file), OutputError);
+  CHECK(read(file) == "in the way");
+  std::filesystem::remove(file);
+}

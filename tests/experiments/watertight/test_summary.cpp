@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is said of shared edges, on rows made by hand.
+#include "experiments/watertight/rows.hpp"
+#include "tests/catch.hpp"
+
+namespace clipscope::experiments::watertight {
+namespace {
+
+Row row(std::string scene, std::string clipper, std::string scalar, const GapTally& all,
+        Verdict promise = Verdict::not_promised) {
+  return {std::move(scene), std::move(clipper), std::move(scalar), all, {4, 3}, promise};
+}
+
+const GapTally kTight{8, 8}, kCracked{8, 6, 0, 0, 2, 0, 0.5};
+
+// Two meshes and the grazing edges, two clippers, one of them in two scalars.
+std::vector<Row> rows() {
+  std::vector<Row> all;
+  for (const char* scene : {"teapot", "floor", "grazing"}) {
+    all.push_back(row(scene, "careful", "float", kTight, Verdict::kept));
+    all.push_back(row(scene, "careless", "float", kCracked));
+    all.push_back(row(scene, "careless", "double", {8, 7, 0, 0, 1, 0, 1e-9}));
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("watertight: scenes are summed by clipper and scalar, grazing edges apart from meshes") {
+  const std::vector<SummaryRow> summary = summary_rows(rows());
+  REQUIRE(summary.size() == 6);
+  CHECK(summary[1].edges_of == Kind::mesh);
+  CHECK(summary[1].clipper == "careless");
+  CHECK(summary[1].all.edges == 16);
+  CHECK(summary[1].all.identical_percent() == 75);
+  CHECK(summary[1].all.crack_px == 0.5);
+  CHECK(summary[1].different_identical_percent == 75);
+  CHECK(summary[3].edges_of == Kind::grazing);
+  CHECK(summary[3].all.edges == 8);
+  CHECK(summary[3].promise == Verdict::kept);
+}
+
+TEST_CASE("watertight: a promise broken in one scene is broken") {
+  const Row broken = row("teapot", "careful", "float", kCracked, Verdict::broken);
+  const Row kept = row("floor", "careful", "float", kTight, Verdict::kept);
+  CHECK(summary_rows({broken, kept})[0].promise == Verdict::broken);
+  CHECK(summary_rows({kept, broken})[0].promise == Verdict::broken);
+}
+
+TEST_CASE("watertight: the finding counts who is tight, and names the widest crack and loss") {
+  const std::string text = finding(summary_rows(rows()));
+  CHECK(
+      text ==
+      "16 mesh edges beside a cut: in float 1 of 2 clippers leave both neighbours the same bits; careless cracks by up to 0.500 px (in double 1.0e-09). 8 grazing edges beside a cut: in float 1 of 2 clippers leave both neighbours the same bits; careless cracks by up to 0.500 px (in double 1.0e-09). All 2 promises to be watertight are kept.");
+  const Row lost = row("floor", "dropper", "float", {8, 4, 0, 4, 0, 20});
+  CHECK(
+      finding(summary_rows({lost})) ==
+      "8 mesh edges beside a cut: in float 1 of 1 clippers leave both neighbours the same bits; dropper loses neighbours up to 20.0 px wide. None of them promises to be watertight.");
+}
+
+TEST_CASE("watertight: the plot has a bar for each clipper with a crack, by scalar and kind") {
+  const Plot plot = crack_plot(summary_rows(rows()));
+  CHECK(plot.categories == std::vector<std::string>{"careful", "careless"});
+  REQUIRE(plot.series.size() == 4);
+  CHECK(plot.series[0].name == "float, mesh");
+  CHECK(plot.series[3].name == "double, grazing");
+  CHECK(plot.series[0].y == std::vector<double>{0, 0.5});
+}
+
+}  // namespace clipscope::experiments::watertight

@@ -79,10 +79,11 @@ std::vector<Tally> sweep_one(const SweepChunk& chunk, const Contestants& contest
     // Many methods give the same bits for most triangles: each different answer is compared once.
     std::vector<std::pair<PolygonView, Comparison>> judged;
     for (const auto& [c, answer] : answers) {
+      const PolygonView polygon = answer[i];
       auto known = std::ranges::find_if(
-          judged, [&](const auto& j) { return same_polygon(j.first, answer[i]); });
+          judged, [&](const auto& j) { return same_polygon(j.first, polygon); });
       if (known == judged.end()) {
-        judged.emplace_back(answer[i], compare(answer[i], exact));
+        judged.emplace_back(polygon, compare(polygon, exact));
         known = judged.end() - 1;
       }
       tallies[c].add(known->second, [&] { return replay_text(chunk, i); });

@@ -16,7 +16,7 @@ std::vector<Contestant> made_of_cuts();     // the steps before the divide, in f
 std::vector<Contestant> made_in_batches();  // the batch clippers, under the full contract
 std::vector<Contestant> made_for_stages();  // scalar and batch clippers as stages
 
-// Without the way to prepare it.
+// Says what clipper C is; the caller adds how it is prepared, and what else its kind has.
 template <class C>
 Contestant describe(const Format& format) {
   return {.clipper = C::name,

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/machine/warning.hpp"
 #include "experiments/scenes/builtin.hpp"
 #include "experiments/scenes/camera.hpp"
 #include "experiments/scenes/mesh_file.hpp"
@@ -81,6 +82,7 @@ Scene load_scene(std::string_view name_or_file, const SceneOptions& options,
   Scene scene;
   scene.name = path.filename().string();
   scene.mesh = load_mesh(path);
+  std::ranges::for_each(scene.mesh.remarks, warn);
   scene.description = fmt::format("{} triangles of {}", scene.mesh.triangles.size(), path.string());
   scene.views = make_views(scene.mesh, camera);
   return scene;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
@@ -12,6 +13,7 @@
 #include <iostream>
 
 #include "experiments/contestants/scalars.hpp"
+#include "experiments/scenes/text_file.hpp"
 
 namespace clipscope::experiments::commands {
 namespace {
@@ -55,31 +57,18 @@ bool reads_floats(const PrimitiveTextOptions& options) {
   return options.scalar == kFormat<float>.name || options.scalar == kFormat<Counted>.name;
 }
 
-std::vector<std::string> split(std::string_view line) {
-  constexpr std::string_view kBetween = ", \t\n\v\f\r";
-  line = line.substr(0, line.find('#'));
-  std::vector<std::string> words;
-  for (auto i = line.find_first_not_of(kBetween); i != line.npos;
-       i = line.find_first_not_of(kBetween)) {
-    line.remove_prefix(i);
-    words.emplace_back(line.substr(0, line.find_first_of(kBetween)));
-    line.remove_prefix(words.back().size());
-  }
-  return words;
-}
-
 // The number rounded once to the format that is read. Errors: InputError.
-double parse_number(const std::string& word, bool as_float, const std::string& place) {
+double parse_number(std::string_view text, bool as_float, const TextFile& file) {
+  const std::string word(text);
   char* end = nullptr;
   const double value = as_float ? std::strtof(word.c_str(), &end) : std::strtod(word.c_str(), &end);
   if (end != word.c_str() + word.size()) {
-    throw InputError(fmt::format(
-        "{}: '{}' is not a number; expected a decimal such as -0.25 or a hex float such as -0x1p-2",
-        place, word));
+    file.fail(
+        "'{}' is not a number; expected a decimal such as -0.25 or a hex float such as -0x1p-2",
+        word);
   }
   if (std::isfinite(value)) return value;
-  throw InputError(fmt::format("{}: '{}' is not finite{}; expected a finite number", place, word,
-                               as_float ? " as a float" : ""));
+  file.fail("'{}' is not finite{}; expected a finite number", word, as_float ? " as a float" : "");
 }
 
 // What a line must hold, in numbers.
@@ -105,29 +94,35 @@ struct LineShape {
   }
 };
 
-std::vector<TextPrimitive> read_stream(std::istream& in, const PrimitiveTextOptions& options,
-                                       Primitive primitive) {
-  const std::string source = options.file == "-" ? "standard input" : options.file;
+std::vector<TextPrimitive> parse_primitives(const std::string& source, std::string_view text,
+                                            const PrimitiveTextOptions& options,
+                                            Primitive primitive) {
   const std::size_t dimension = options.space == "view" ? 3 : 4;
   const LineShape shape{primitive, dimension,
                         dimension + static_cast<std::size_t>(options.attributes)};
   std::vector<TextPrimitive> primitives;
-  std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    const std::string place = fmt::format("{}:{}", source, ++number);
-    const std::vector<std::string> words = split(line);
-    if (words.empty()) continue;
-    if (!shape.fits(words.size())) {
-      throw InputError(
-          fmt::format("{}: found {} numbers; {}", place, words.size(), shape.text(options)));
+  TextFile file(source, text, {.separator = ',', .comment = '#'});
+  while (file.next_words()) {
+    if (!shape.fits(file.words().size())) {
+      file.fail("found {} numbers; {}", file.words().size(), shape.text(options));
     }
-    std::vector<double>& values = primitives.emplace_back(TextPrimitive{place, {}}).values;
-    for (const std::string& word : words) {
-      values.push_back(parse_number(word, reads_floats(options), place));
+    std::vector<double>& values = primitives.emplace_back(TextPrimitive{file.place(), {}}).values;
+    for (const std::string_view word : file.words()) {
+      values.push_back(parse_number(word, reads_floats(options), file));
     }
   }
-  if (in.bad()) throw InputError(fmt::format("{}: can't be read", source));
   return primitives;
+}
+
+// All that is left of a stream. Errors: InputError.
+std::string read_all(std::istream& in, const std::string& name) {
+  std::string text;
+  std::array<char, 65536> block;
+  while (in.read(block.data(), block.size()) || in.gcount() > 0) {
+    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (in.bad()) throw InputError(fmt::format("{}: can't be read", name));
+  return text;
 }
 
 // Errors: UsageError.
@@ -283,13 +278,16 @@ Batch described_batch(const PrimitiveTextOptions& options) {
 
 std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
                                            Primitive primitive) {
-  if (options.file == "-") return read_stream(std::cin, options, primitive);
+  if (options.file == "-") {
+    const std::string source = "standard input";
+    return parse_primitives(source, read_all(std::cin, source), options, primitive);
+  }
   errno = 0;
   std::ifstream file(options.file);
   if (!file) {
     throw InputError(fmt::format("{}: can't be opened: {}", options.file, std::strerror(errno)));
   }
-  return read_stream(file, options, primitive);
+  return parse_primitives(options.file, read_all(file, options.file), options, primitive);
 }
 
 std::string_view default_clipper(Primitive primitive) {

@@ -112,9 +112,7 @@ GltfAccessor::Elements GltfAccessor::elements_in(const GltfValue& owner, std::si
 
 void GltfAccessor::read_sparse(const GltfValue& sparse) {
   const std::size_t count = sparse["count"].number();
-  if (count == 0 || count > count_) {
-    sparse["count"].fail("is {}; 1 to {} expected", count, count_);
-  }
+  if (count == 0 || count > count_) sparse["count"].fail("is {}; 1 to {} expected", count, count_);
   const GltfValue indices = sparse["indices"], values = sparse["values"];
   const NumberType type = number_type(indices["componentType"]);
   if (!type.is_integer || type.is_signed) {

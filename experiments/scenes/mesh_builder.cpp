@@ -144,41 +144,33 @@ void MeshBuilder::require_finite_values(const std::vector<bool>& is_used,
   }
 }
 
-std::vector<std::array<double, 3>> MeshBuilder::corners_of(const Fan& fan) const {
-  const auto point = [this](std::uint32_t corner) {
+// Replaces a fan, unless its polygon is certainly a convex quadrangle; false if it is not simple.
+bool MeshBuilder::split(const Fan& fan) {
+  const std::span triangles = std::span(mesh_.triangles).subspan(fan.first, fan.triangles);
+  std::vector<std::uint32_t> corners = {triangles[0][0], triangles[0][1]};
+  for (const auto& triangle : triangles) corners.push_back(triangle[2]);
+  std::vector<std::array<double, 3>> points;
+  for (const std::uint32_t corner : corners) {
     const glm::dvec3 p = point_in_double(mesh_, corner);
-    return std::array{p.x, p.y, p.z};
-  };
-  std::vector<std::array<double, 3>> corners = {point(mesh_.triangles[fan.first][0]),
-                                                point(mesh_.triangles[fan.first][1])};
-  for (std::size_t i = 0; i < fan.triangles; ++i) {
-    corners.push_back(point(mesh_.triangles[fan.first + i][2]));
+    points.push_back({p.x, p.y, p.z});
   }
-  return corners;
+  if (is_certainly_convex_quadrangle(points)) return true;
+  try {
+    auto triangle = triangles.begin();
+    for (const auto& [a, b, c] : triangulate(points)) {
+      const auto at = [&](int i) { return corners[static_cast<std::size_t>(i)]; };
+      *triangle++ = {at(a), at(b), at(c)};
+    }
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
-// Replaces fans of polygons that are not certainly convex quadrangles.
 void MeshBuilder::split_polygons() {
   std::size_t not_simple = 0, first_of_those = 0;
   for (const Fan& fan : fans_) {
-    const std::vector<std::array<double, 3>> corners = corners_of(fan);
-    if (is_certainly_convex_quadrangle(corners)) continue;
-    std::vector<std::uint32_t> vertices = {mesh_.triangles[fan.first][0],
-                                           mesh_.triangles[fan.first][1]};
-    for (std::size_t i = 0; i < fan.triangles; ++i) {
-      vertices.push_back(mesh_.triangles[fan.first + i][2]);
-    }
-    try {
-      std::size_t next = fan.first;
-      for (const IndexTriangle& t : triangulate(corners)) {
-        auto& triangle = mesh_.triangles[next++];
-        for (std::size_t k = 0; k < 3; ++k) {
-          triangle[k] = vertices[static_cast<std::size_t>(t[k])];
-        }
-      }
-    } catch (const InputError&) {  // the polygon is not simple: its fan stays
-      if (not_simple++ == 0) first_of_those = fan.number;
-    }
+    if (!split(fan) && not_simple++ == 0) first_of_those = fan.number;
   }
   if (not_simple == 0) return;
   mesh_.remarks.push_back(fmt::format(

@@ -91,7 +91,7 @@ class MeshBuilder {
 
   std::array<float, kSceneAttributes>& attributes_of(std::size_t vertex);
   void require_finite_values(const std::vector<bool>& is_used, const Place& place) const;
-  std::vector<std::array<double, 3>> corners_of(const Fan& fan) const;
+  bool split(const Fan& fan);
   void split_polygons();
   void merge_equal_vertices(const std::vector<bool>& is_used);
   void fill_attributes();

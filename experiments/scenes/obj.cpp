@@ -102,9 +102,7 @@ class ObjReader {
     ++kinds_[0].defined;
     if (count() != 4) return builder_.add_vertex(position, rounded);
     const double w = file_.number(4, 'w', "the vertex");
-    if (w == 0) {
-      file_.fail("w of the vertex is 0, a point at infinity; a finite one was expected");
-    }
+    if (w == 0) file_.fail("w of the vertex is 0, a point at infinity; a finite one was expected");
     builder_.add_vertex({position[0] / w, position[1] / w, position[2] / w});
   }
 
@@ -153,9 +151,7 @@ class ObjReader {
   // never defines are used for nothing, so that references to them are let be.
   std::uint32_t resolve(std::string_view word, Numbered& kind) {
     const std::int64_t given = file_.require_integer(word, "a vertex reference");
-    if (given == 0) {
-      file_.fail("the face refers to {} 0; they are counted from 1", kind.singular);
-    }
+    if (given == 0) file_.fail("the face refers to {} 0; they are counted from 1", kind.singular);
     if (-given > kind.defined) {
       if (&kind == &kinds_[0] || kind.defined > 0) fail_back(file_.line(), -given, kind);
       if (kind.ahead.empty()) kind.ahead.push_back({file_.line(), given});

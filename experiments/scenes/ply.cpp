@@ -107,8 +107,9 @@ class PlyReader {
 
   void read_face(const PlyProperty& property) {
     const std::size_t count = read_count(property);
-    if (count < 3)
+    if (count < 3) {
       refuse(place(), "has {}; at least 3 expected", counted(count, "vertex", "vertices"));
+    }
     corners_.clear();
     for (std::size_t i = 0; i < count; ++i) corners_.push_back(read_corner(property));
     builder_.add_polygon(corners_, number());

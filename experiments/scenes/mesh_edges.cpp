@@ -23,39 +23,63 @@ namespace {
 
 // For each vertex the lowest index of those with its position.
 std::vector<std::uint32_t> welded(const Mesh& mesh) {
-  const auto& positions = mesh.positions;
-  std::vector<std::uint32_t> order(positions.size()), first(positions.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(positions[i], i); });
+  std::vector<std::pair<std::array<float, 3>, std::uint32_t>> order;
+  order.reserve(mesh.positions.size());
+  for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
+    order.emplace_back(mesh.positions[i], i);
+  }
+  std::ranges::sort(order);
+  std::vector<std::uint32_t> first(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && positions[order[i]] == positions[order[i - 1]];
-    first[order[i]] = same ? first[order[i - 1]] : order[i];
+    const auto& [position, vertex] = order[i];
+    const bool same = i > 0 && position == order[i - 1].first;
+    first[vertex] = same ? first[order[i - 1].second] : vertex;
   }
   return first;
 }
 
-std::int64_t count_repeated_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& vertex) {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    auto& corners = triangles.emplace_back(std::array{vertex[a], vertex[b], vertex[c]});
-    std::ranges::sort(corners);
+std::uint32_t first_vertex(const HalfEdge& side) { return side.ends[0]; }
+std::uint32_t first_vertex(const std::array<std::uint32_t, 3>& corners) { return corners[0]; }
+
+// All that for_each(f) calls f with, sorted: a counting sort by the first vertex, after which each
+// has few to be compared with.
+template <class Item, class ForEach>
+std::vector<Item> sorted(std::size_t vertices, const ForEach& for_each) {
+  std::vector<std::size_t> end(vertices + 1);
+  for_each([&](const Item& item) { ++end[first_vertex(item) + 1]; });
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Item> items(end.back());
+  for_each([&](const Item& item) { items[end[first_vertex(item)]++] = item; });
+  std::size_t begin = 0;
+  for (std::size_t v = 0; v < vertices; begin = end[v++]) {
+    std::sort(items.begin() + static_cast<std::ptrdiff_t>(begin),
+              items.begin() + static_cast<std::ptrdiff_t>(end[v]));
   }
-  std::ranges::sort(triangles);
+  return items;
+}
+
+std::int64_t count_repeated_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& vertex) {
+  using Corners = std::array<std::uint32_t, 3>;
+  auto triangles = sorted<Corners>(vertex.size(), [&](const auto& f) {
+    for (const auto& [a, b, c] : mesh.triangles) {
+      Corners corners = {vertex[a], vertex[b], vertex[c]};
+      std::ranges::sort(corners);
+      f(corners);
+    }
+  });
   return std::ranges::unique(triangles).size();
 }
 
 std::vector<HalfEdge> half_edges_of(const Mesh& mesh, const std::vector<std::uint32_t>& vertex) {
-  std::vector<HalfEdge> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (int opposite = 0; opposite < 3; ++opposite) {
-      const auto [i, j] = ends_of(opposite);
-      const auto [a, b] = std::minmax(vertex[mesh.triangles[t][i]], vertex[mesh.triangles[t][j]]);
-      if (a != b) sides.push_back({{a, b}, t, opposite});
+  return sorted<HalfEdge>(vertex.size(), [&](const auto& f) {
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (int opposite = 0; opposite < 3; ++opposite) {
+        const auto [i, j] = ends_of(opposite);
+        const auto [a, b] = std::minmax(vertex[mesh.triangles[t][i]], vertex[mesh.triangles[t][j]]);
+        if (a != b) f(HalfEdge{{a, b}, t, opposite});
+      }
     }
-  }
-  std::ranges::sort(sides);
-  return sides;
+  });
 }
 
 using Ends = std::array<std::uint32_t, 2>;

@@ -34,10 +34,10 @@ using Row = std::vector<Rational>;
 
 // Whether there are l_i >= 0 with sum 1 and s_h = sum of l_i f_h(i) >= 0 for all h.
 //
-// A row is an equation over the columns l_0, l_1, ..., s_0, s_1, ... and its right-hand side, solved
-// for its variable in the basis. The last row, sum of l_i + a = 1, begins with an artificial
-// variable a >= 0, which the simplex method makes as small as it gets: there are such l_i exactly if
-// that is 0.
+// A row is an equation over the columns l_0, l_1, ..., s_0, s_1, ... and its right-hand side,
+// solved for its variable in the basis. The last row, sum of l_i + a = 1, begins with an artificial
+// variable a >= 0, which the simplex method makes as small as it gets: there are such l_i exactly
+// if that is 0.
 class Feasibility {
  public:
   // values[h][i]: half-space h at point i.

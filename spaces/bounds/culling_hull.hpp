@@ -102,23 +102,24 @@ void set_back(CullingHull<T>& hull) {
   }
 }
 
-using Corner4 = std::array<Enclosure<double>, 4>;
+// A row of a matrix, a plane or a corner, in numbers between two bounds.
+using Row4 = std::array<Enclosure<double>, 4>;
 
 // The greatest value of `sign` times a coordinate over the volume, or more; infinity if there is
 // none or it isn't known.
-inline double greatest_of(const std::array<Corner4, 8>& corners, std::size_t axis, int sign) {
+inline double greatest_of(const std::array<Row4, 8>& corners, std::size_t axis, int sign) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto along = [&](const Corner4& c) { return sign > 0 ? c[axis] : -c[axis]; };
+  const auto along = [&](const Row4& c) { return sign > 0 ? c[axis] : -c[axis]; };
   const auto is_finite = [](const Enclosure<double>& e) {
     return std::isfinite(e.low) && std::isfinite(e.high);
   };
   double most = -infinity;
-  for (const Corner4& c : corners) {
+  for (const Row4& c : corners) {
     if (!is_finite(c[axis]) || !is_finite(c[3])) return infinity;
     if (c[3].low > 0) most = std::max(most, (along(c) / c[3]).high);
   }
   if (!std::isfinite(most)) return infinity;
-  for (const Corner4& c : corners) {
+  for (const Row4& c : corners) {
     const bool is_point = c[3].low > 0;
     if (!is_point && !(along(c).high <= (Enclosure<double>(most) * c[3]).low)) return infinity;
   }
@@ -126,7 +127,7 @@ inline double greatest_of(const std::array<Corner4, 8>& corners, std::size_t axi
 }
 
 template <std::floating_point T>
-AxisBox<T> reach_of(const std::array<Corner4, 8>& corners) {
+AxisBox<T> reach_of(const std::array<Row4, 8>& corners) {
   AxisBox<T> r;
   for (int i = 0; i < 3; ++i) {
     const auto axis = static_cast<std::size_t>(i);
@@ -136,22 +137,22 @@ AxisBox<T> reach_of(const std::array<Corner4, 8>& corners) {
   return r;
 }
 
-inline Enclosure<double> minor(const Corner4& a, const Corner4& b, const Corner4& c, std::size_t i,
+inline Enclosure<double> minor(const Row4& a, const Row4& b, const Row4& c, std::size_t i,
                                std::size_t j, std::size_t k) {
   return a[i] * (b[j] * c[k] - b[k] * c[j]) - a[j] * (b[i] * c[k] - b[k] * c[i]) +
          a[k] * (b[i] * c[j] - b[j] * c[i]);
 }
 
 // Where three planes meet, up to its sign: all products with a, b and c are 0.
-inline Corner4 meet(const Corner4& a, const Corner4& b, const Corner4& c) {
+inline Row4 meet(const Row4& a, const Row4& b, const Row4& c) {
   return {minor(a, b, c, 1, 2, 3), -minor(a, b, c, 0, 2, 3), minor(a, b, c, 0, 1, 3),
           -minor(a, b, c, 0, 1, 2)};
 }
 
 // The plane a + sign b of two rows of a matrix.
 template <std::floating_point T>
-Corner4 plane_between(const Vec4<T>& a, int sign, const Vec4<T>& b) {
-  Corner4 r;
+Row4 plane_between(const Vec4<T>& a, int sign, const Vec4<T>& b) {
+  Row4 r;
   for (std::size_t i = 0; i < 4; ++i) {
     const double first = a[static_cast<int>(i)], second = b[static_cast<int>(i)];
     r[i] = sum(first, sign < 0 ? -second : second);
@@ -161,19 +162,19 @@ Corner4 plane_between(const Vec4<T>& a, int sign, const Vec4<T>& b) {
 
 // The six planes in the order of enum Plane.
 template <std::floating_point T>
-std::array<Corner4, 6> plane_rows(DepthRange depth, const std::array<Vec4<T>, 4>& rows) {
+std::array<Row4, 6> plane_rows(DepthRange depth, const std::array<Vec4<T>, 4>& rows) {
   const Vec4<T>&x = rows[0], &y = rows[1], &z = rows[2], &w = rows[3];
   const Vec4<T> low_w = depth == DepthRange::minus_one_to_one ? w : Vec4<T>(T(0));
-  std::array<Corner4, 6> r = {plane_between(w, 1, x),     plane_between(w, -1, x),
-                              plane_between(w, 1, y),     plane_between(w, -1, y),
-                              plane_between(low_w, 1, z), plane_between(w, -1, z)};
+  std::array<Row4, 6> r = {plane_between(w, 1, x),     plane_between(w, -1, x),
+                           plane_between(w, 1, y),     plane_between(w, -1, y),
+                           plane_between(low_w, 1, z), plane_between(w, -1, z)};
   if (depth == DepthRange::reversed) std::swap(r[4], r[5]);
   return r;
 }
 
 // The corner with the sign that makes its clip w positive; false if that can't be told.
 template <std::floating_point T>
-bool orient(Corner4& corner, const Vec4<T>& row_w) {
+bool orient(Row4& corner, const Vec4<T>& row_w) {
   Enclosure<double> w(0.0);
   for (std::size_t i = 0; i < 4; ++i) {
     w = w + corner[i] * Enclosure<double>(static_cast<double>(row_w[static_cast<int>(i)]));
@@ -195,7 +196,7 @@ void set_coordinate(const Enclosure<double>& e, double scale, T& value, T& magni
 
 // Scaled by a power of two, so that T holds it well.
 template <std::floating_point T>
-HullCorner<T> corner_of(const Corner4& corner) {
+HullCorner<T> corner_of(const Row4& corner) {
   double most = 0;
   for (const Enclosure<double>& c : corner) most = std::max({most, std::abs(c.low), c.high});
   const double scale = std::isfinite(most) && most > 0 ? std::ldexp(1.0, -std::ilogb(most)) : 1.0;
@@ -238,9 +239,9 @@ CullingHull<T> culling_hull(const Frustum<T>& f) {
 // Row i yields clip coordinate i.
 template <std::floating_point T>
 CullingHull<T> culling_hull(DepthRange depth, const std::array<Vec4<T>, 4>& rows) {
-  const std::array<bounds::Corner4, 6> planes = bounds::plane_rows(depth, rows);
+  const std::array<bounds::Row4, 6> planes = bounds::plane_rows(depth, rows);
   CullingHull<T> hull;
-  std::array<bounds::Corner4, 8> corners;
+  std::array<bounds::Row4, 8> corners;
   for (std::size_t i = 0; i < 8; ++i) {
     corners[i] = bounds::meet(planes[i & 1], planes[2 + (i >> 1 & 1)], planes[4 + (i >> 2 & 1)]);
     if (!bounds::orient(corners[i], rows[3])) return hull;

@@ -32,6 +32,13 @@ struct ScreenRectangle {
   }
 };
 
+template <std::floating_point T>
+constexpr ScreenRectangle<T> intersection(const ScreenRectangle<T>& a,
+                                          const ScreenRectangle<T>& b) {
+  return {std::max(a.left, b.left), std::max(a.bottom, b.bottom), std::min(a.right, b.right),
+          std::min(a.top, b.top)};
+}
+
 // The corners of a box in clip space: bit 0 of the index chooses lower or upper x, bit 1 y, bit 2
 // z. Any eight points with those twelve edges that are convex in (x, y, w) will do.
 template <std::floating_point T>

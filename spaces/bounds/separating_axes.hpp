@@ -98,10 +98,18 @@ bool separate_across(const CullingHull<T>& hull, const std::array<Vec3<T>, 3>& d
   return false;
 }
 
-// What the planes of the view volume do not tell.
+// What the planes of the view volume do not tell. Along x, y and z the reach of the hull tells it,
+// where that is known.
 template <std::floating_point T>
 bool are_separated(const CullingHull<T>& hull, const AxisBox<T>& box) {
-  return are_disjoint(hull.reach, box) || separate_across(hull, OrientedBox<T>{}.axes, box);
+  const std::array<Vec3<T>, 3> axes = OrientedBox<T>{}.axes;
+  if (are_disjoint(hull.reach, box)) return true;
+  if (!is_finite(hull.reach)) {
+    for (const Vec3<T>& face : axes) {
+      if (separate_along(hull, face, box)) return true;
+    }
+  }
+  return separate_across(hull, axes, box);
 }
 
 template <std::floating_point T>

@@ -19,8 +19,8 @@
 // plane, under the exact matrix as given. Every number is kept between two bounds in double
 // (enclosure.hpp), and a case that these do not settle takes the larger rectangle. So if it is
 // empty, nothing is visible. NaN, infinity and overflow: everything may be covered.
-// Does not guarantee: the tightest rectangle. Bounds are some units in the last place of double off,
-// more where the sphere nearly touches w = 0, and then rounded outwards to T.
+// Does not guarantee: the tightest rectangle. Bounds are some units in the last place of double
+// off, more where the sphere nearly touches w = 0, and then rounded outwards to T.
 #pragma once
 
 #include "spaces/bounds/near_cut.hpp"
@@ -128,9 +128,8 @@ inline Range beyond_near(const Pencil& p, const NearForm& f) {
   const QuotientRange ball = quotient_range(p);
   const Number margin = square(f.n) - p.square_radius * f.nn;
   if (margin.low > 0 && f.n.high < 0) return {};
-  if (!(f.nn.low > 0) || (margin.low > 0 && f.n.low > 0) || ball.values.empty()) {
-    return ball.values;
-  }
+  const bool is_whole = margin.low > 0 && f.n.low > 0;
+  if (is_whole || !(f.nn.low > 0) || ball.values.empty()) return ball.values;
   const QuotientRange disc = quotient_range(disc_of(p, f));
   // The point of least W, if W > 0 is not true all over the ball.
   const Number lowest = f.n - square_root(p.square_radius) * f.wn / square_root(p.ww);

@@ -23,7 +23,7 @@
 #pragma once
 
 #include "spaces/bounds/culling_planes.hpp"
-#include "spaces/bounds/enclosure.hpp"
+#include "spaces/bounds/enclosure_arithmetic.hpp"
 
 namespace clipscope {
 

@@ -12,7 +12,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "spaces/bounds/enclosure.hpp"
+#include "spaces/bounds/enclosure_arithmetic.hpp"
 #include "spaces/bounds/volumes.hpp"
 
 namespace clipscope {

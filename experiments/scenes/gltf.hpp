@@ -66,8 +66,9 @@ class GltfValue {
   std::size_t index_into(const char* list) const;
   // A list of such indices; empty where there is none.
   std::vector<std::size_t> indices_into(const char* list) const;
-  // Fails unless it is a list of `count` finite numbers, or none.
-  void require_numbers(std::size_t count) const;
+  // A finite number, or a list of `count` of them; fails where it is missing or anything else.
+  double real() const;
+  std::vector<double> numbers(std::size_t count) const;
 
  private:
   void require_index(std::size_t index, const char* list) const;

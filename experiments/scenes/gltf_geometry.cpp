@@ -233,8 +233,7 @@ class Packer {
     for (const auto& [name, count] :
          {std::pair{"matrix", 16u}, {"translation", 3u}, {"rotation", 4u}, {"scale", 3u}}) {
       const GltfValue numbers = node[name];
-      numbers.require_numbers(count);
-      if (numbers) packed[name] = *numbers;
+      if (numbers) packed[name] = numbers.numbers(count);
     }
     packed_["nodes"].push_back(std::move(packed));
   }

@@ -3,6 +3,7 @@
 // Takes glTF files apart: chunks, JSON and buffers.
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 
 #include "experiments/machine/files.hpp"
@@ -55,14 +56,22 @@ std::vector<std::size_t> GltfValue::indices_into(const char* list) const {
   return indices;
 }
 
-void GltfValue::require_numbers(std::size_t count) const {
-  const auto is_sound = [](const Json& j) {
-    return j.is_number() && defect_of(j.get<double>()).empty();
-  };
-  if (json_ == nullptr) return;
-  if (!json_->is_array() || json_->size() != count || !std::ranges::all_of(*json_, is_sound)) {
-    fail("is not a list of {} numbers that a float can hold", count);
+double GltfValue::real() const {
+  if (json_ == nullptr || !json_->is_number() || !std::isfinite(json_->get<double>())) {
+    fail("is {}; a finite number expected", json_ == nullptr ? "missing" : json_->dump());
   }
+  return json_->get<double>();
+}
+
+std::vector<double> GltfValue::numbers(std::size_t count) const {
+  const auto is_sound = [](const Json& j) {
+    return j.is_number() && std::isfinite(j.get<double>());
+  };
+  if (json_ == nullptr || !json_->is_array() || json_->size() != count ||
+      !std::ranges::all_of(*json_, is_sound)) {
+    fail("is not a list of {} numbers, all finite", count);
+  }
+  return json_->get<std::vector<double>>();
 }
 
 void GltfValue::require_index(std::size_t index, const char* list) const {

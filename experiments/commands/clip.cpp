@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <iterator>
 #include <span>
@@ -17,7 +16,6 @@
 #include "experiments/scenes/triangulate.hpp"
 #include "experiments/selection/select.hpp"
 #include "experiments/table/hex_float.hpp"
-#include "experiments/table/row.hpp"
 
 namespace clipscope::experiments::commands {
 namespace {
@@ -28,67 +26,22 @@ struct ClipOptions {
   Primitive primitive = Primitive::triangle;
   PrimitiveTextOptions text;
   std::string clipper;  // empty: default_clipper(primitive)
-  ClipVolume volume;    // its depth range is said by the text's options
-  std::vector<std::array<double, 4>> planes;
+  VolumeOptions volume;
   PointOptions point{.size = 0, .viewport = {0, 0}};  // 0: not given
-  bool hex = false;
+  bool hex = false, fraction = false;  // how numbers are written: decimal without either
 };
-
-// Errors: UsageError if there are more clip distances than attributes, or more of either than fit.
-void check_counts(const ClipOptions& options) {
-  const int planes = static_cast<int>(options.planes.size());
-  const int distances = options.volume.clip_distances, attributes = options.text.attributes;
-  if (distances > attributes) {
-    usage_error("--clip-distances: {} asked for, but --attributes gives {} per vertex", distances,
-                attributes);
-  }
-  if (planes + distances > kMaxClipDistances) {
-    usage_error("--plane: planes ({}) and clip distances ({}) are more than {} in all", planes,
-                distances, kMaxClipDistances);
-  }
-  if (planes + attributes > kMaxAttributes) {
-    usage_error("--plane: planes ({}) and attributes ({}) are more than {} in all", planes,
-                attributes, kMaxAttributes);
-  }
-}
-
-// Whether the scalar can hold the number, rounded.
-bool is_finite_in(const Format& format, double x) {
-  return std::isfinite(format.is_float() ? static_cast<float>(x) : x);
-}
 
 // All but the primitives. Errors: UsageError.
 Batch batch_without_primitives(const ClipOptions& options, const Contestant& contestant) {
   const Format& format = *contestant.format;
   Batch batch = described_batch(options.text);
-  check_counts(options);
-  for (const std::array<double, 4>& plane : options.planes) {
-    for (const double x : plane) {
-      if (is_finite_in(format, x)) continue;
-      usage_error("--plane: {} is not finite in {}; expected finite numbers", x, format.name);
-    }
-  }
+  set_volume(options.volume, format, batch);
   if (!is_finite_in(format, options.point.size)) {
     usage_error("--point-size: {} is not finite in {}", options.point.size, format.name);
   }
-  batch.volume.depth_clamp = options.volume.depth_clamp;
-  batch.volume.clip_distances = options.volume.clip_distances;
-  batch.planes = options.planes;
   batch.vertices = contestant.vertices;
   if (options.point.viewport[0] != 0) batch.point = options.point;
   return batch;
-}
-
-// Errors: UsageError if the clipper does not take the input's space or the volume's options.
-void check_takes(const Contestant& contestant, const Batch& batch) {
-  if (contestant.takes(batch)) return;
-  if (batch.space == Space::clip && !contestant.takes_clip_space) {
-    usage_error("--clipper: {} starts in view space, so clip-space coordinates are not applicable",
-                contestant.clipper);
-  }
-  const bool depth_clamp = batch.volume.depth_clamp && !contestant.promise.depth_clamp;
-  usage_error("--clipper: {} does not take {}", contestant.clipper,
-              depth_clamp ? "--depth-clamp" : "--clip-distances and --plane");
 }
 
 // A clipper of triangles does for polygons, too. Errors: UsageError.
@@ -166,10 +119,17 @@ Answers clip_parts(std::span<const Part> parts, const Contestant& contestant, Ba
   return clip(contestant, batch);
 }
 
-// A hex float, or the shortest decimal that reads back as the same number. What a double does not
-// hold is rounded to the nearest one, but decimals of double-double have 32 digits.
-std::string number_text(const Format& format, const Number& x, bool hex) {
-  if (hex) return hex_float(x.value);
+// Numerator/denominator in lowest terms, an integer without the denominator 1; "inf", "-inf" or
+// "nan" of what has none.
+std::string fraction_text(const Number& x) {
+  return is_finite(x) ? to_exact(x).get_str() : fmt::format("{}", x.value);
+}
+
+// A fraction, a hex float, or the shortest decimal that reads back as the same number. As a float
+// what a double does not hold is the nearest double, but decimals of double-double have 32 digits.
+std::string number_text(const Format& format, const Number& x, const ClipOptions& options) {
+  if (options.fraction) return fraction_text(x);
+  if (options.hex) return hex_float(x.value);
   if (format.precision == kFormat<dd_real>.precision) return dd_real(x.value, x.rest).to_string(32);
   return format.is_float() ? fmt::format("{}", static_cast<float>(x.value))
                            : fmt::format("{}", x.value);
@@ -190,8 +150,8 @@ void add_rows(const std::string& label, const PolygonView& polygon, const ClipOp
     const VertexView vertex = polygon[v];
     fmt::format_to(std::back_inserter(text), "{},{}", label, v);
     for (std::size_t i = 0; i < vertex.size(); ++i) {
-      if (i >= 4 && i < 4 + options.planes.size()) continue;
-      text += ',' + number_text(polygon.format(), vertex[i], options.hex);
+      if (i >= 4 && i < 4 + options.volume.planes.size()) continue;
+      text += ',' + number_text(polygon.format(), vertex[i], options);
     }
     text += '\n';
   }
@@ -240,30 +200,6 @@ std::array<double, 2> parse_viewport(const std::string& text) {
       "--viewport", fmt::format("'{}' given, WxH in pixels expected, such as 1920x1080", text));
 }
 
-// Errors: CLI::ValidationError.
-std::array<double, 4> parse_plane(const std::vector<double>& numbers) {
-  for (const double x : numbers) {
-    if (std::isfinite(x)) continue;
-    throw CLI::ValidationError("--plane", fmt::format("{} given, finite numbers expected", x));
-  }
-  return {numbers[0], numbers[1], numbers[2], numbers[3]};
-}
-
-void add_volume_options(CLI::App& command, ClipOptions& options) {
-  add_option(command, "--clip-distances", options.volume.clip_distances, "N",
-             "The first N attributes are clip distances: inside is >= 0 [0]")
-      ->check(CLI::Range(0, kMaxClipDistances));
-  command.add_flag("--depth-clamp", options.volume.depth_clamp,
-                   "The near and far planes do not clip");
-  const auto add = [&options](const std::vector<double>& numbers) {
-    options.planes.push_back(parse_plane(numbers));
-  };
-  add_number_list(
-      command, "--plane", 4, "A,B,C,D", add,
-      "User clip plane in the space of the input: inside is A x + B y + C z + D >= 0, in clip space with D w; may be given again")
-      ->trigger_on_parse();
-}
-
 void add_point_options(CLI::App& command, ClipOptions& options) {
   CLI::Option* size = add_option(command, "--point-size", options.point.size, "PX",
                                  "Side of a point's square in pixels, for point/pop_free [0]")
@@ -289,9 +225,11 @@ NDC; segment,vertex,... and point,vertex,... likewise, and polygon,part,vertex,.
 polygon is triangulated and its triangles are clipped, as all polygons are by a clipper of
 triangles. --clipper is by default homogeneous/sutherland_hodgman for triangles,
 homogeneous/liang_barsky for segments, point/pop for points, homogeneous/polygon for polygons.
-Numbers are rounded once when read: to float for float and counting, to double otherwise.
+Numbers are rounded once when read: to float for float and counting, to double otherwise. What
+the scalar exact answers is written as the nearest double; --fraction writes all of it.
 Examples:
   echo '-2 0 0 1  2 0 0 1' | clipscope clip --space clip --primitive segment --plane 1,0,0,0.5
+  echo '1 0 0 3  0 1 0 3  0 0 1 3' | clipscope clip --space clip --scalar exact --fraction
   echo '0 0 0 1 7  2 0 0 1 -1  0 .5 0 1 7' | clipscope clip --space clip --attributes 1 --clip-distances 1
   echo '1.1 0 0 1' | clipscope clip --space clip --primitive point --clipper pop_free --point-size 32 --viewport 256x256)";
 
@@ -300,18 +238,16 @@ Examples:
 void add_clip_command(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(
       app, action, clip_text, "clip", "Clip primitives given as text; write CSV", kClipFooter);
-  const auto set = [&to = options.primitive](const std::string& name) {
-    to = CellOf<Primitive>::read(name);
-  };
-  command
-      .add_option_function<std::string>(
-          "--primitive", set, "What a line holds: triangle, segment, point or polygon [triangle]")
-      ->check(CLI::IsMember({"triangle", "segment", "point", "polygon"}));
+  add_primitive_option(command, options.primitive);
   add_primitive_text_options(command, options.text);
   add_option(command, "--clipper", options.clipper, "NAME", "Name of a clipper [see below]");
-  add_volume_options(command, options);
+  add_volume_options(command, options.volume);
   add_point_options(command, options);
-  command.add_flag("--hex", options.hex, "Write hex floats");
+  CLI::Option* hex = command.add_flag("--hex", options.hex, "Write hex floats");
+  command
+      .add_flag("--fraction", options.fraction,
+                "Write numerator/denominator, exactly, of whatever scalar")
+      ->excludes(hex);
 }
 
 }  // namespace clipscope::experiments::commands

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -19,6 +20,7 @@
 #include "experiments/catalogue/hard_case.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/contestants/batch.hpp"
+#include "experiments/contestants/contestant.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/selection/select.hpp"
 #include "experiments/table/table.hpp"
@@ -108,6 +110,26 @@ struct TextPrimitive {
   std::string place;           // "file:line"
   std::vector<double> values;  // (dimension + K) for each vertex; the scalar holds them exactly
 };
+
+// What clips beside the planes of a projection: --depth-clamp, --clip-distances and --plane.
+struct VolumeOptions {
+  bool depth_clamp = false;
+  int clip_distances = 0;
+  std::vector<std::array<double, 4>> planes;
+};
+
+void add_volume_options(CLI::App& command, VolumeOptions& options);
+void add_primitive_option(CLI::App& command, Primitive& primitive);
+
+// Whether the format can hold the number, rounded.
+bool is_finite_in(const Format& format, double x);
+
+// Adds the options to a batch that is clipped in that format. Errors: UsageError if there are more
+// clip distances than attributes, more of anything than fits, or a plane that is not finite.
+void set_volume(const VolumeOptions& options, const Format& format, Batch& batch);
+
+// Errors: UsageError if the clipper does not take the input's space or the volume's options.
+void check_takes(const Contestant& contestant, const Batch& batch);
 
 // All primitives of the file. Errors: InputError naming file and line, what was found, what was
 // expected.

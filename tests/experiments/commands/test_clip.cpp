@@ -93,6 +93,21 @@ TEST_CASE("clip: numbers triangles in input order and skips those without output
                                                  "1,1,0.5,0,0,1,8", "1,2,0,0.5,0,1,9"});
 }
 
+TEST_CASE("clip: an exact answer is written as the nearest double, and whole as a fraction") {
+  const Folder folder;
+  const std::string tenths = "1 0 0 10  0 1 0 10  0 0 1 10\n";
+  const std::string exact = "--space clip --scalar exact";
+  CHECK(rows_of(folder, exact, tenths).at(0) == "0,0,0.1,0,0,0.1");
+  CHECK(rows_of(folder, exact + " --hex", tenths).at(1) ==
+        "0,1,0x0p+0,0x1.999999999999ap-4,0x0p+0,0x1.999999999999ap-4");
+  CHECK(rows_of(folder, exact + " --fraction", tenths).at(2) == "0,2,0,0,1/10,1/10");
+  CHECK(rows_of(folder, "--space clip --scalar double --fraction", "-1 0 0 4  0 1 0 2  0 0 1 2\n")
+            .at(0) == "0,0,-1/4,0,0,1/4");
+  const Result both = folder.run("clip --space clip --hex --fraction", tenths);
+  CHECK(both.code == 2);
+  CHECK_THAT(both.err, Catch::Matchers::Contains("--fraction"));
+}
+
 TEST_CASE("clip: reads and writes hex floats without losing a bit") {
   const Folder folder;
   const std::string third = "0x1.555556p-2";

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The options that say which kind of primitive is clipped, and what clips it beside a projection.
+#include <cmath>
+
+#include "experiments/commands/options.hpp"
+#include "experiments/table/row.hpp"
+
+namespace clipscope::experiments::commands {
+namespace {
+
+// Errors: UsageError if there are more clip distances than attributes, or more of either than fit.
+void check_counts(const VolumeOptions& options, int attributes) {
+  const int planes = static_cast<int>(options.planes.size());
+  const int distances = options.clip_distances;
+  if (distances > attributes) {
+    usage_error("--clip-distances: {} asked for, but --attributes gives {} per vertex", distances,
+                attributes);
+  }
+  if (planes + distances > kMaxClipDistances) {
+    usage_error("--plane: planes ({}) and clip distances ({}) are more than {} in all", planes,
+                distances, kMaxClipDistances);
+  }
+  if (planes + attributes > kMaxAttributes) {
+    usage_error("--plane: planes ({}) and attributes ({}) are more than {} in all", planes,
+                attributes, kMaxAttributes);
+  }
+}
+
+// Errors: CLI::ValidationError.
+std::array<double, 4> parse_plane(const std::vector<double>& numbers) {
+  for (const double x : numbers) {
+    if (std::isfinite(x)) continue;
+    throw CLI::ValidationError("--plane", fmt::format("{} given, finite numbers expected", x));
+  }
+  return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+}  // namespace
+
+void add_primitive_option(CLI::App& command, Primitive& primitive) {
+  const auto set = [&primitive](const std::string& name) {
+    primitive = CellOf<Primitive>::read(name);
+  };
+  command
+      .add_option_function<std::string>(
+          "--primitive", set, "What a line holds: triangle, segment, point or polygon [triangle]")
+      ->check(CLI::IsMember({"triangle", "segment", "point", "polygon"}));
+}
+
+void add_volume_options(CLI::App& command, VolumeOptions& options) {
+  add_option(command, "--clip-distances", options.clip_distances, "N",
+             "The first N attributes are clip distances: inside is >= 0 [0]")
+      ->check(CLI::Range(0, kMaxClipDistances));
+  command.add_flag("--depth-clamp", options.depth_clamp, "The near and far planes do not clip");
+  const auto add = [&options](const std::vector<double>& numbers) {
+    options.planes.push_back(parse_plane(numbers));
+  };
+  add_number_list(
+      command, "--plane", 4, "A,B,C,D", add,
+      "User clip plane in the space of the input: inside is A x + B y + C z + D >= 0, in clip space with D w; may be given again")
+      ->trigger_on_parse();
+}
+
+bool is_finite_in(const Format& format, double x) {
+  return std::isfinite(format.is_float() ? static_cast<float>(x) : x);
+}
+
+void set_volume(const VolumeOptions& options, const Format& format, Batch& batch) {
+  check_counts(options, batch.attributes);
+  for (const std::array<double, 4>& plane : options.planes) {
+    for (const double x : plane) {
+      if (is_finite_in(format, x)) continue;
+      usage_error("--plane: {} is not finite in {}; expected finite numbers", x, format.name);
+    }
+  }
+  batch.volume.depth_clamp = options.depth_clamp;
+  batch.volume.clip_distances = options.clip_distances;
+  batch.planes = options.planes;
+}
+
+void check_takes(const Contestant& contestant, const Batch& batch) {
+  if (contestant.takes(batch)) return;
+  if (batch.space == Space::clip && !contestant.takes_clip_space) {
+    usage_error("--clipper: {} starts in view space, so clip-space coordinates are not applicable",
+                contestant.clipper);
+  }
+  const bool depth_clamp = batch.volume.depth_clamp && !contestant.promise.depth_clamp;
+  usage_error("--clipper: {} does not take {}", contestant.clipper,
+              depth_clamp ? "--depth-clamp" : "--clip-distances and --plane");
+}
+
+}  // namespace clipscope::experiments::commands

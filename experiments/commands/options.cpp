@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -27,6 +28,19 @@ std::vector<double> parse_numbers(const std::string& text) {
     if (*end == '\0') return numbers;
     next = end + 1;
   }
+}
+
+// "640x480". Errors: CLI::ValidationError.
+std::array<double, 2> parse_viewport(const std::string& text) {
+  int width = 0, height = 0;
+  const char* const end = text.data() + text.size();
+  const char* const x = std::from_chars(text.data(), end, width).ptr;
+  if (x != end && *x == 'x' && std::from_chars(x + 1, end, height).ptr == end && width > 0 &&
+      height > 0) {
+    return {static_cast<double>(width), static_cast<double>(height)};
+  }
+  throw CLI::ValidationError(
+      "--viewport", fmt::format("'{}' given, WxH in pixels expected, such as 1920x1080", text));
 }
 
 void add_camera_options(CLI::App& command, CameraOptions& camera) {
@@ -68,7 +82,8 @@ std::vector<std::string> split(std::string_view line) {
   return words;
 }
 
-// The number rounded once to the format that is read. Errors: InputError.
+}  // namespace
+
 double parse_number(const std::string& word, bool as_float, const std::string& place) {
   char* end = nullptr;
   const double value = as_float ? std::strtof(word.c_str(), &end) : std::strtod(word.c_str(), &end);
@@ -81,6 +96,8 @@ double parse_number(const std::string& word, bool as_float, const std::string& p
   throw InputError(fmt::format("{}: '{}' is not finite{}; expected a finite number", place, word,
                                as_float ? " as a float" : ""));
 }
+
+namespace {
 
 // What a line must hold, in numbers.
 struct LineShape {
@@ -105,29 +122,16 @@ struct LineShape {
   }
 };
 
-std::vector<TextPrimitive> read_stream(std::istream& in, const PrimitiveTextOptions& options,
-                                       Primitive primitive) {
-  const std::string source = options.file == "-" ? "standard input" : options.file;
-  const std::size_t dimension = options.space == "view" ? 3 : 4;
-  const LineShape shape{primitive, dimension,
-                        dimension + static_cast<std::size_t>(options.attributes)};
-  std::vector<TextPrimitive> primitives;
+std::vector<TextLine> lines_of(std::istream& in, const std::string& source) {
+  std::vector<TextLine> lines;
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
-    const std::string place = fmt::format("{}:{}", source, ++number);
-    const std::vector<std::string> words = split(line);
-    if (words.empty()) continue;
-    if (!shape.fits(words.size())) {
-      throw InputError(
-          fmt::format("{}: found {} numbers; {}", place, words.size(), shape.text(options)));
-    }
-    std::vector<double>& values = primitives.emplace_back(TextPrimitive{place, {}}).values;
-    for (const std::string& word : words) {
-      values.push_back(parse_number(word, reads_floats(options), place));
-    }
+    ++number;
+    std::vector<std::string> words = split(line);
+    if (!words.empty()) lines.push_back({fmt::format("{}:{}", source, number), std::move(words)});
   }
   if (in.bad()) throw InputError(fmt::format("{}: can't be read", source));
-  return primitives;
+  return lines;
 }
 
 // Errors: UsageError.
@@ -237,15 +241,14 @@ std::string formatted(const Table& table, const std::string& format) {
   return table.to_text();
 }
 
-void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options) {
-  command
-      .add_option("--space", options.space,
-                  "Space of the input: view (x y z) or clip (x y z w) [view]")
-      ->check(CLI::IsMember({"view", "clip"}));
-  command.add_option("--scalar", options.scalar,
-                     "Scalar to compute in (see `clipscope list scalars`) [float]");
-  add_option(command, "--attributes", options.attributes, "K", "Attributes per vertex [0]")
-      ->check(CLI::Range(0, kMaxAttributes));
+CLI::Option* add_viewport_option(CLI::App& command,
+                                 std::function<void(const std::array<double, 2>&)> set,
+                                 const std::string& help) {
+  const auto parse = [set = std::move(set)](const std::string& text) { set(parse_viewport(text)); };
+  return command.add_option_function<std::string>("--viewport", parse, help)->type_name("WxH");
+}
+
+void add_projection_options(CLI::App& command, PrimitiveTextOptions& options) {
   const auto add_projection = [&](const char* name, std::size_t count, const char* type,
                                   const char* help) {
     const auto set = [&options, name](const std::vector<double>& numbers) {
@@ -262,6 +265,18 @@ void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options
       .add_option("--depth", options.depth,
                   "Depth convention: gl [-1, 1], zero_to_one [0, 1] or reversed [1, 0] [gl]")
       ->check(CLI::IsMember({"gl", "zero_to_one", "reversed"}));
+}
+
+void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options) {
+  command
+      .add_option("--space", options.space,
+                  "Space of the input: view (x y z) or clip (x y z w) [view]")
+      ->check(CLI::IsMember({"view", "clip"}));
+  command.add_option("--scalar", options.scalar,
+                     "Scalar to compute in (see `clipscope list scalars`) [float]");
+  add_option(command, "--attributes", options.attributes, "K", "Attributes per vertex [0]")
+      ->check(CLI::Range(0, kMaxAttributes));
+  add_projection_options(command, options);
   add_option(command, "file", options.file, "FILE", "Primitives, one per line [standard input]");
 }
 
@@ -281,15 +296,31 @@ Batch described_batch(const PrimitiveTextOptions& options) {
   return batch;
 }
 
+std::vector<TextLine> read_lines(const std::string& path) {
+  if (path == "-") return lines_of(std::cin, "standard input");
+  errno = 0;
+  std::ifstream file(path);
+  if (!file) throw InputError(fmt::format("{}: can't be opened: {}", path, std::strerror(errno)));
+  return lines_of(file, path);
+}
+
 std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
                                            Primitive primitive) {
-  if (options.file == "-") return read_stream(std::cin, options, primitive);
-  errno = 0;
-  std::ifstream file(options.file);
-  if (!file) {
-    throw InputError(fmt::format("{}: can't be opened: {}", options.file, std::strerror(errno)));
+  const std::size_t dimension = options.space == "view" ? 3 : 4;
+  const LineShape shape{primitive, dimension,
+                        dimension + static_cast<std::size_t>(options.attributes)};
+  std::vector<TextPrimitive> primitives;
+  for (const TextLine& line : read_lines(options.file)) {
+    if (!shape.fits(line.words.size())) {
+      throw InputError(fmt::format("{}: found {} numbers; {}", line.place, line.words.size(),
+                                   shape.text(options)));
+    }
+    std::vector<double>& values = primitives.emplace_back(TextPrimitive{line.place, {}}).values;
+    for (const std::string& word : line.words) {
+      values.push_back(parse_number(word, reads_floats(options), line.place));
+    }
   }
-  return read_stream(file, options, primitive);
+  return primitives;
 }
 
 std::string_view default_clipper(Primitive primitive) {

@@ -72,7 +72,8 @@ double end_of(const std::vector<ExactClip>& points, std::size_t axis, int sign) 
     if (!most || most->numerator * v[3] < x * most->denominator) most = Fraction{x, v[3]};
   }
   assert(most);
-  return sign * (endless ? kInfinity : reference::round_to<double>(*most));
+  // Plus 0: no end is -0.
+  return sign * (endless ? kInfinity : reference::round_to<double>(*most)) + 0.0;
 }
 
 BoxCorners<float> clip_corners(const Region& region, const Solid& solid) {

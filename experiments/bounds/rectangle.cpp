@@ -14,19 +14,10 @@ using reference::Fraction;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Vec4<float> to_clip(const MatrixRows& rows, const Vec3<float>& p) {
-  Vec4<float> r;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vec4<float>& row = rows[i];
-    r[static_cast<int>(i)] = row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3];
-  }
-  return r;
-}
-
 // A clip position without rounding: x, y, z, w.
 using ExactClip = std::array<Dyadic, 4>;
 
-ExactClip to_clip(const MatrixRows& rows, const reference::ExactPoint& p) {
+ExactClip exact_clip(const MatrixRows<float>& rows, const reference::ExactPoint& p) {
   ExactClip r;
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec4<float>& row = rows[i];
@@ -138,7 +129,7 @@ ExactRectangle exact_rectangle(const Region& region, const Solid& solid, Part pa
   assert(solid.kind != SolidKind::sphere && part != Part::on_screen);
   std::vector<ExactClip> points;
   for (const reference::ExactPoint& p : exact_hull(solid)) {
-    points.push_back(to_clip(region.rows, p));
+    points.push_back(exact_clip(region.rows, p));
   }
   if (part == Part::beyond_near) {
     points = cut(points, [&](const ExactClip& v) { return near_distance(region.depth, v); });

@@ -108,14 +108,11 @@ Region region_of(const Frustum<float>& frustum) {
           reference::half_spaces_of(reference::Truth::of_frustum(frustum_cast<double>(frustum)))};
 }
 
-Region region_of(DepthRange depth, const MatrixRows& rows) {
-  std::array<std::array<double, 4>, 4> numbers;
-  for (std::size_t r = 0; r < 4; ++r) {
-    for (std::size_t c = 0; c < 4; ++c) numbers[r][c] = rows[r][static_cast<int>(c)];
-  }
+Region region_of(DepthRange depth, const MatrixRows<float>& rows) {
   const CullingHull<float> hull = culling_hull(depth, rows);
+  const auto truth = reference::Truth::of_matrix(matrix_cast<double>(rows), {.depth = depth});
   return {depth, rows, with_reach(culling_planes(depth, rows), hull), hull,
-          reference::matrix_half_spaces(depth, numbers)};
+          reference::half_spaces_of(truth)};
 }
 
 std::string_view kind_names() { return "box, sphere, obb, points or polygon"; }

@@ -18,12 +18,10 @@
 
 namespace clipscope::experiments::bounds {
 
-using MatrixRows = std::array<Vec4<float>, 4>;
-
 // A view volume: in float for what is tested, exactly for what is true.
 struct Region {
   DepthRange depth = DepthRange::minus_one_to_one;
-  MatrixRows rows;  // of the matrix to clip space
+  MatrixRows<float> rows;  // of the matrix to clip space
   CullingPlanes<float> planes;
   CullingHull<float> hull;
   std::vector<reference::LinearForm> half_spaces;
@@ -34,7 +32,7 @@ struct Region {
 Region region_of(const Frustum<float>& frustum);
 // What the matrix as given cuts out, in the space that it leads from. The hull of a singular matrix
 // is not known.
-Region region_of(DepthRange depth, const MatrixRows& rows);
+Region region_of(DepthRange depth, const MatrixRows<float>& rows);
 
 enum class SolidKind { box, sphere, obb, points, polygon };
 

@@ -21,7 +21,6 @@ using bounds::SolidKind;
 
 struct BoundsOptions {
   PrimitiveTextOptions text;
-  std::optional<bounds::MatrixRows> matrix;
   Selection selection;
   std::optional<std::string> scene;
   bool screen = false;
@@ -32,10 +31,9 @@ struct BoundsOptions {
 
 // Errors: UsageError if no volume is given, or one that encloses nothing.
 Region region_of_options(const BoundsOptions& options) {
-  if (!options.matrix) {
-    return bounds::region_of(frustum_cast<float>(described_batch(options.text).frustum));
-  }
-  const Region region = bounds::region_of(DepthRange::minus_one_to_one, *options.matrix);
+  const Batch batch = described_batch(options.text);
+  if (!batch.matrix) return bounds::region_of(frustum_cast<float>(batch.frustum));
+  const Region region = bounds::region_of(batch.volume.depth, matrix_cast<float>(*batch.matrix));
   if (region.hull.known) return region;
   usage_error("--matrix: it is singular, or can't be told from one that is; it has no view volume");
 }
@@ -141,7 +139,9 @@ void add_scene(const BoundsOptions& options, Tables& tables) {
     return;
   }
   for (const View& view : scene.views) {
-    tables.add(bounds::region_of(view.frustum), view.label, corners_of(scene, view));
+    const Region region = view.matrix ? bounds::region_of(view.frustum.depth, *view.matrix)
+                                      : bounds::region_of(view.frustum);
+    tables.add(region, view.label, corners_of(scene, view));
   }
 }
 
@@ -183,14 +183,6 @@ void add_bounds_command(CLI::App& app, Action& action) {
       "Bounding volumes against a view volume, and their screen rectangles", kBoundsFooter);
   options.command = &command;
   add_projection_options(command, options.text);
-  const auto set_matrix = [&to = options.matrix](const std::vector<double>& m) {
-    to.emplace();
-    for (std::size_t i = 0; i < m.size(); ++i) {
-      (*to)[i / 4][static_cast<int>(i % 4)] = static_cast<float>(m[i]);
-    }
-  };
-  add_number_list(command, "--matrix", 16, "M00,M01,...,M33", set_matrix,
-                  "Matrix to clip space as given, row by row");
   add_option(command, "--scene", options.scene, "NAME|FILE",
              "Bound the mesh of this scene or file instead of solids");
   command.add_option("--seed", options.selection.seed, "Seed of the random scenes [1]");

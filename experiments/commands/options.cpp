@@ -43,28 +43,6 @@ std::array<double, 2> parse_viewport(const std::string& text) {
       "--viewport", fmt::format("'{}' given, WxH in pixels expected, such as 1920x1080", text));
 }
 
-void add_camera_options(CLI::App& command, CameraOptions& camera) {
-  const std::string group = "Camera (without --eye: a walk around and through the mesh)";
-  const auto add_vector = [&](const char* name, std::optional<glm::dvec3>& value,
-                              const char* help) {
-    const auto set = [&value](const std::vector<double>& v) {
-      value = glm::dvec3(v[0], v[1], v[2]);
-    };
-    add_number_list(command, name, 3, "X,Y,Z", set, help)->group(group);
-  };
-  const auto add = [&](const char* name, auto& value, const char* help) {
-    command.add_option(name, value, help)->group(group);
-  };
-  add_vector("--eye", camera.eye, "Where the camera is");
-  add_vector("--target", camera.target, "What it looks at [centre of the mesh]");
-  add_vector("--up", camera.up, "Which way is up [0,1,0]");
-  add("--fovy", camera.fovy_degrees, "Vertical angle of view in degrees [60]");
-  add("--aspect", camera.aspect, "Width over height of the picture [16:9]");
-  add("--near", camera.near, "Distance of the near plane [from the mesh]");
-  add("--far", camera.far, "Distance of the far plane [from the mesh]");
-  add("--walk", camera.walk, "Number of camera positions of the walk [6]");
-}
-
 bool reads_floats(const PrimitiveTextOptions& options) {
   return options.scalar == kFormat<float>.name || options.scalar == kFormat<Counted>.name;
 }
@@ -146,28 +124,59 @@ std::vector<double> perspective_sides(const std::vector<double>& p) {
   return {-right, right, -top, top, p[2], p[3]};
 }
 
+std::string given_text(const PrimitiveTextOptions& options) {
+  std::vector<std::string> names;
+  for (const auto& [name, numbers] : options.projections) names.push_back(name);
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, " and "));
+}
+
+// The only projection. Errors: UsageError.
+const std::pair<std::string, std::vector<double>>& given_projection(
+    const PrimitiveTextOptions& options) {
+  if (options.projections.size() == 1) return options.projections.front();
+  usage_error(
+      "--space view takes one of --perspective, --frustum, --ortho, --intrinsics and --matrix, {} given",
+      options.projections.empty() ? "none is" : given_text(options) + " are");
+}
+
+Frustum<double> given_frustum(const PrimitiveTextOptions& options) {
+  const auto& [option, v] = given_projection(options);
+  if (option == "--intrinsics") {
+    if (!options.near || !options.far) {
+      usage_error("--intrinsics: it says nothing of depth; give --near and --far too");
+    }
+    return intrinsics_frustum({v[0], v[1], v[2], v[3], v[4], v[5]}, *options.near, *options.far);
+  }
+  if (options.near || options.far) {
+    usage_error("--near and --far go with --intrinsics; {} has its own", option);
+  }
+  return frustum_of_numbers(
+      option == "--ortho" ? ProjectionKind::parallel : ProjectionKind::perspective,
+      option == "--perspective" ? perspective_sides(v) : v);
+}
+
 // What is clipped against in view space. Errors: UsageError.
 Frustum<double> frustum_of(const PrimitiveTextOptions& options) {
-  if (options.projections.size() != 1) {
-    usage_error("--space view takes one of --perspective, --frustum and --ortho, {} are given",
-                options.projections.size());
-  }
-  const auto& [option, given] = options.projections.front();
-  const std::vector<double> v = option == "--perspective" ? perspective_sides(given) : given;
-  Frustum<double> f;
-  f.kind = option == "--ortho" ? ProjectionKind::parallel : ProjectionKind::perspective;
-  f.left = v[0];
-  f.right = v[1];
-  f.bottom = v[2];
-  f.top = v[3];
-  f.near = v[4];
-  f.infinite_far = std::isinf(v[5]);
-  f.far = f.infinite_far ? 0.0 : v[5];
+  Frustum<double> f = given_frustum(options);
   if (reads_floats(options)) f = frustum_cast<double>(frustum_cast<float>(f));
   if (is_valid(f) && std::isfinite(f.left + f.right + f.bottom + f.top + f.near + f.far)) return f;
   usage_error(
       "the frustum left={} right={} bottom={} top={} near={} far={} encloses no volume; expected left < right, bottom < top, near < far, and 0 < near for perspective",
       f.left, f.right, f.bottom, f.top, f.near, f.infinite_far ? HUGE_VAL : f.far);
+}
+
+// The matrix, its numbers rounded as those of primitives are. Errors: UsageError.
+MatrixRows<double> matrix_of(const PrimitiveTextOptions& options) {
+  std::array<double, 16> numbers;
+  std::ranges::copy(given_projection(options).second, numbers.begin());
+  for (double& x : numbers) {
+    if (reads_floats(options)) x = static_cast<float>(x);
+    if (!std::isfinite(x)) {
+      usage_error("--matrix: an entry is {}{}; finite numbers expected", x,
+                  reads_floats(options) ? " in float" : "");
+    }
+  }
+  return rows_of(numbers, options.by_columns);
 }
 
 }  // namespace
@@ -261,10 +270,17 @@ void add_projection_options(CLI::App& command, PrimitiveTextOptions& options) {
   add_projection("--frustum", 6, "L,R,B,T,N,F",
                  "Perspective projection, sides measured on the near plane; F may be inf");
   add_projection("--ortho", 6, "L,R,B,T,N,F", "Orthographic projection");
-  command
-      .add_option("--depth", options.depth,
-                  "Depth convention: gl [-1, 1], zero_to_one [0, 1] or reversed [1, 0] [gl]")
-      ->check(CLI::IsMember({"gl", "zero_to_one", "reversed"}));
+  add_projection("--intrinsics", 6, "FX,FY,CX,CY,W,H", kIntrinsicsHelp);
+  command.add_option("--near", options.near, "Distance of the near plane, with --intrinsics");
+  command.add_option("--far", options.far, "Distance of the far plane, with --intrinsics");
+  const auto set = [&options](const std::array<double, 16>& m) {
+    options.projections.emplace_back("--matrix", std::vector<double>(m.begin(), m.end()));
+  };
+  add_matrix_option(
+      command, "--matrix", set,
+      "Matrix to clip space as given, of any handedness and sign of y, from the space of the input: the camera's, or the world");
+  add_matrix_order(command, options.by_columns);
+  add_depth_option(command, options.depth);
 }
 
 void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options) {
@@ -284,14 +300,16 @@ Batch described_batch(const PrimitiveTextOptions& options) {
   Batch batch{.space = options.space == "view" ? Space::view : Space::clip,
               .attributes = options.attributes};
   if (batch.space == Space::view) {
-    batch.frustum = frustum_of(options);
+    if (given_projection(options).first == "--matrix") {
+      batch.matrix = matrix_of(options);
+    } else {
+      batch.frustum = frustum_of(options);
+    }
   } else if (!options.projections.empty()) {
-    usage_error(
-        "--perspective, --frustum and --ortho go with --space view: clip-space coordinates are projected already");
+    usage_error("{} goes with --space view: clip-space coordinates are projected already",
+                given_text(options));
   }
-  batch.volume.depth = options.depth == "zero_to_one" ? DepthRange::zero_to_one
-                       : options.depth == "reversed"  ? DepthRange::reversed
-                                                      : DepthRange::minus_one_to_one;
+  batch.volume.depth = options.depth;
   batch.frustum.depth = batch.volume.depth;
   return batch;
 }

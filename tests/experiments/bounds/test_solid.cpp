@@ -120,7 +120,7 @@ TEST_CASE("solid: a matrix as given and its frustum answer alike") {
     CHECK(a.by_axes == b.by_axes);
     CHECK(a.exact == b.exact);
   }
-  MatrixRows singular = frustum.rows;
+  MatrixRows<float> singular = frustum.rows;
   singular[0] = singular[1];
   CHECK_FALSE(region_of(DepthRange::minus_one_to_one, singular).hull.known);
 }

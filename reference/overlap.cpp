@@ -193,27 +193,6 @@ RationalPlane rational_plane(const Plane4& plane) {
 
 ExactPoint exact_point(double x, double y, double z) { return {Dyadic(x), Dyadic(y), Dyadic(z)}; }
 
-std::vector<LinearForm> matrix_half_spaces(DepthRange depth,
-                                           const std::array<std::array<double, 4>, 4>& rows) {
-  constexpr std::array<int, 4> kCoordinates = {0, 1, 2, kOne};
-  // a + sign * row b; without a for the plane z >= 0.
-  const auto between = [&](bool with_w, double sign, std::size_t b) {
-    LinearForm form;
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (with_w) form.push_back({rows[3][i], kCoordinates[i]});
-      form.push_back({sign * rows[b][i], kCoordinates[i]});
-    }
-    return form;
-  };
-  std::vector<LinearForm> r = {between(true, 1, 0), between(true, -1, 0), between(true, 1, 1),
-                               between(true, -1, 1)};
-  const bool reversed = depth == DepthRange::reversed;
-  if (reversed) r.push_back(between(true, -1, 2));
-  r.push_back(between(depth == DepthRange::minus_one_to_one, 1, 2));
-  if (!reversed) r.push_back(between(true, -1, 2));
-  return r;
-}
-
 std::vector<LinearForm> half_spaces_of(const Truth& truth) {
   std::vector<LinearForm> r;
   for (const Truth::HalfSpace& half_space : truth.half_spaces()) r.push_back(half_space.form);

@@ -35,11 +35,6 @@ using ExactPoint = std::array<Dyadic, 3>;
 
 ExactPoint exact_point(double x, double y, double z);
 
-// The half-spaces of the volume that a matrix to clip space cuts out, in the order of Plane. Row i
-// yields clip coordinate i.
-// Pre-condition: finite numbers.
-std::vector<LinearForm> matrix_half_spaces(DepthRange depth,
-                                           const std::array<std::array<double, 4>, 4>& rows);
 std::vector<LinearForm> half_spaces_of(const Truth& truth);
 
 // Of the convex hull. No point: outside. Takes time in proportion to the number of points, a few

@@ -92,8 +92,9 @@ CullingPlanes<double> world_planes(const View& view);
 // 32 u M is allowed for, which is more than the matrix's entries are off the frustum's.
 //
 // Guarantees, where planes and hull are used together: rejected means that no triangle of the
-// object is visible in exact arithmetic. Its vertices need have no outcode in common; that a float
-// clipper leaves nothing of it, either, is measured, not proved.
+// object is visible in exact arithmetic. Its vertices need have no outcode in common, and of a
+// sliver beside an edge of the frustum a float clipper may leave what is not there: polygons then
+// differ from those without bounds.
 CullingHull<double> world_hull(const View& view);
 
 // One answer per object. Pre-condition: as many answers as objects.

@@ -187,31 +187,15 @@ int clip_text(ClipOptions options) {
   return kExitOk;
 }
 
-// "640x480". Errors: CLI::ValidationError.
-std::array<double, 2> parse_viewport(const std::string& text) {
-  int width = 0, height = 0;
-  const char* const end = text.data() + text.size();
-  const char* const x = std::from_chars(text.data(), end, width).ptr;
-  if (x != end && *x == 'x' && std::from_chars(x + 1, end, height).ptr == end && width > 0 &&
-      height > 0) {
-    return {static_cast<double>(width), static_cast<double>(height)};
-  }
-  throw CLI::ValidationError(
-      "--viewport", fmt::format("'{}' given, WxH in pixels expected, such as 1920x1080", text));
-}
-
 void add_point_options(CLI::App& command, ClipOptions& options) {
   CLI::Option* size = add_option(command, "--point-size", options.point.size, "PX",
                                  "Side of a point's square in pixels, for point/pop_free [0]")
                           ->check(CLI::NonNegativeNumber);
-  const auto set = [&options](const std::string& text) {
-    options.point.viewport = parse_viewport(text);
+  const auto set = [&options](const std::array<double, 2>& viewport) {
+    options.point.viewport = viewport;
   };
   CLI::Option* viewport =
-      command
-          .add_option_function<std::string>("--viewport", set,
-                                            "Size in pixels of what the volume is drawn to")
-          ->type_name("WxH");
+      add_viewport_option(command, set, "Size in pixels of what the volume is drawn to");
   size->needs(viewport);
   viewport->needs(size);
 }

@@ -3,6 +3,7 @@
 // clipscope compare: every clipper and scalar on the same triangles, how right and how fast.
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <iterator>
 #include <optional>
 
@@ -47,10 +48,32 @@ struct CompareRow {
   }
 };
 
+// Clippers that start from a frustum have no answer where a matrix is given. Says who was left out;
+// empty if nobody was. Errors: UsageError if nobody is left.
+std::string leave_out_frustum_clippers(const Selection& selection, Contestants& contestants) {
+  if (!selection.camera.matrix) return "";
+  std::vector<std::string_view> left_out;
+  std::erase_if(contestants, [&](const Contestant* c) {
+    if (c->takes_clip_space) return false;
+    left_out.push_back(c->clipper);
+    return true;
+  });
+  left_out.erase(std::ranges::unique(left_out).begin(), left_out.end());
+  if (contestants.empty()) {
+    usage_error("--clipper: {} start from a frustum, so a --matrix is not applicable",
+                fmt::join(left_out, ", "));
+  }
+  const std::string truth = "Truth: the matrix as given, in exact arithmetic.";
+  if (left_out.empty()) return truth;
+  return fmt::format("{} Not applicable, since they start from a frustum: {}.", truth,
+                     fmt::join(left_out, ", "));
+}
+
 // All scenes go into one tally and one timing per contestant.
 int compare_contestants(const CompareOptions& options) {
   const Selection& selection = options.selection;
-  const Contestants contestants = selected_contestants(selection);
+  Contestants contestants = selected_contestants(selection);
+  const std::string left_out = leave_out_frustum_clippers(selection, contestants);
   std::vector<AccuracyTally> tallies(contestants.size());
   std::vector<SampledView> views;
   std::vector<std::string> cracks;  // that the meshes have by themselves
@@ -80,6 +103,7 @@ int compare_contestants(const CompareOptions& options) {
                timing.is_timed() ? std::nullopt : std::optional(timing.refused)});
   }
   for (const std::string& note : cracks) table.add_note(note);
+  if (!left_out.empty()) table.add_note(left_out);
   table.add_note(machine_description());
   print_table(table, selection.json, options.out);
   return kExitOk;

@@ -55,6 +55,10 @@ void drop_repeated(std::vector<std::string>& names) {
 // name is wrong, that results can't be written.
 std::vector<std::size_t> check(const RunOptions& options) {
   std::vector<std::size_t> chosen = places_of(options.names);
+  if (options.selection.camera.matrix) {
+    usage_error(
+        "--matrix: the experiments vary frusta and cut in view space; compare, verify, render, plan, explain and clip take a matrix as given");
+  }
   selected_contestants(options.selection);
   write_file(
       std::filesystem::path(options.out) / "README.md",

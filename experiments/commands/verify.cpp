@@ -79,8 +79,9 @@ std::string hex_polygon(const PolygonView& polygon, std::size_t numbers) {
 void verify_triangles(const Contestant& contestant, const std::string& scene, const View& view,
                       const std::vector<SceneTriangle>& triangles, std::size_t first,
                       std::size_t stride, Verified& verified) {
-  const PromiseChecker checker(frustum_cast<double>(view.frustum));
-  const Answers answers = clip(contestant, batch_of(view, triangles));
+  const Batch batch = batch_of(view, triangles);
+  const PromiseChecker checker(batch);
+  const Answers answers = clip(contestant, batch);
   std::vector<PromiseCheck> checks(triangles.size());
   tbb::parallel_for(std::size_t{0}, checks.size(), [&](std::size_t i) {
     checks[i] =
@@ -93,7 +94,7 @@ void verify_triangles(const Contestant& contestant, const std::string& scene, co
                      truth_polygon(checker.truth(), reference::input_triangle(triangles[i])));
     };
     if (!verified.add(checks[i], comparison)) continue;
-    const std::string input = frustum_options(view.frustum) + "\n    " + hex_line(triangles[i]);
+    const std::string input = projection_options(view) + "\n    " + hex_line(triangles[i]);
     verified.worst = {checks[i],  scene,
                       view.label, (first + i) * stride,
                       input,      hex_polygon(answers[i], answers.stride())};

@@ -128,8 +128,12 @@ std::vector<PlannedView> plan_views(const NeededScene& needed, const PlanSetting
   for (const View& view : needed.scene.views) {
     std::vector<SceneTriangle> triangles = triangles_in_runs(needed.scene, view, limit);
     const std::span<const SceneTriangle> all(triangles);
-    const SceneFacts<float> facts(Projection<float>(view.frustum), all, attribute_facts(all),
-                                  {.guard_band = settings.guard_band});
+    const LookOptions<float> look{.guard_band = settings.guard_band};
+    const AttributeFacts<float> attributes = attribute_facts(all);
+    const SceneFacts<float> facts =
+        view.matrix
+            ? SceneFacts<float>({.depth = view.frustum.depth}, *view.matrix, all, attributes, look)
+            : SceneFacts<float>(Projection<float>(view.frustum), all, attributes, look);
     const Plan<float> plan(facts, {.tolerance = settings.tolerance, .depth = needed.depth});
     planned.push_back({view, std::move(triangles), facts, plan, settings.tolerance});
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/scenes/gltf_camera.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include "experiments/machine/files.hpp"
@@ -78,6 +79,34 @@ std::vector<GltfCamera> read_gltf_cameras(const std::filesystem::path& path) {
     cameras.back().world_from_camera = world_from_node;
   }
   return cameras;
+}
+
+std::array<double, 16> pose_of(const GltfCamera& camera) {
+  std::array<double, 16> numbers;
+  for (int i = 0; i < 16; ++i) {
+    numbers[static_cast<std::size_t>(i)] = camera.world_from_camera[i % 4][i / 4];
+  }
+  return numbers;
+}
+
+Frustum<double> frustum_of(const GltfCamera& camera, const CameraOptions& options) {
+  const double picture = options.aspect;
+  const bool is_given = picture != CameraOptions().aspect;
+  Frustum<double> f;
+  f.kind = camera.kind;
+  f.near = options.near.value_or(camera.near);
+  const std::optional<double> far = options.far ? options.far : camera.far;
+  f.infinite_far = !far || std::isinf(*far);
+  f.far = f.infinite_far ? 0 : *far;
+  f.top = camera.ymag;
+  f.right = is_given ? camera.ymag * picture : camera.xmag;
+  if (camera.kind == ProjectionKind::perspective) {
+    f.top = f.near * std::tan(camera.fovy / 2);
+    f.right = f.top * (is_given ? picture : camera.aspect.value_or(picture));
+  }
+  f.left = -f.right;
+  f.bottom = -f.top;
+  return f;
 }
 
 }  // namespace clipscope::experiments

@@ -6,12 +6,14 @@
 // node's -z axis, +y up; numbers are as the file has them, in double, and nothing is rounded.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <glm/mat4x4.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "experiments/scenes/camera.hpp"
 #include "spaces/projection.hpp"
 
 namespace clipscope::experiments {
@@ -33,5 +35,11 @@ struct GltfCamera {
 // Errors: InputError for what is no .gltf or .glb file, and for a camera whose numbers are missing
 // or enclose no volume, naming its place.
 std::vector<GltfCamera> read_gltf_cameras(const std::filesystem::path& path);
+
+// The camera as options of make_views: its pose, by rows; and what it sees. The picture's aspect is
+// that of the options where they have another than their default or the camera has none, and so are
+// near and far where they are given.
+std::array<double, 16> pose_of(const GltfCamera& camera);
+Frustum<double> frustum_of(const GltfCamera& camera, const CameraOptions& options);
 
 }  // namespace clipscope::experiments

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,11 +50,15 @@ inline glm::dvec3 point_in_double(const Mesh& mesh, std::size_t vertex) {
   return {x, y, z};
 }
 
-// A camera position: world to view (rigid), and the frustum. Frustum numbers are floats.
+// A camera position: world to view, and the frustum, whose numbers are floats; or instead of the
+// frustum a matrix from view space to clip space, as given (view space is then what the matrix
+// takes, the world itself where it holds the camera, too). With a matrix only the depth range of
+// the frustum counts.
 struct View {
   std::string label;
   glm::dmat4 view_from_world = glm::dmat4(1.0);
-  Frustum<float> frustum;
+  Frustum<float> frustum = {};
+  std::optional<MatrixRows<float>> matrix = {};
 };
 
 struct Scene {

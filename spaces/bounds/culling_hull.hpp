@@ -162,7 +162,7 @@ Row4 plane_between(const Vec4<T>& a, int sign, const Vec4<T>& b) {
 
 // The six planes in the order of enum Plane.
 template <std::floating_point T>
-std::array<Row4, 6> plane_rows(DepthRange depth, const std::array<Vec4<T>, 4>& rows) {
+std::array<Row4, 6> plane_rows(DepthRange depth, const MatrixRows<T>& rows) {
   const Vec4<T>&x = rows[0], &y = rows[1], &z = rows[2], &w = rows[3];
   const Vec4<T> low_w = depth == DepthRange::minus_one_to_one ? w : Vec4<T>(T(0));
   std::array<Row4, 6> r = {plane_between(w, 1, x),     plane_between(w, -1, x),
@@ -238,7 +238,7 @@ CullingHull<T> culling_hull(const Frustum<T>& f) {
 // The corners of the volume that a matrix to clip space cuts out, in the space that it leads from.
 // Row i yields clip coordinate i.
 template <std::floating_point T>
-CullingHull<T> culling_hull(DepthRange depth, const std::array<Vec4<T>, 4>& rows) {
+CullingHull<T> culling_hull(DepthRange depth, const MatrixRows<T>& rows) {
   const std::array<bounds::Row4, 6> planes = bounds::plane_rows(depth, rows);
   CullingHull<T> hull;
   std::array<bounds::Row4, 8> corners;

@@ -181,7 +181,7 @@ CullingPlanes<T> culling_planes(const Frustum<T>& f) {
 
 // The six planes that a matrix to clip space gives: row i yields clip coordinate i.
 template <std::floating_point T>
-CullingPlanes<T> culling_planes(DepthRange depth, const std::array<Vec4<T>, 4>& rows) {
+CullingPlanes<T> culling_planes(DepthRange depth, const MatrixRows<T>& rows) {
   const Vec4<T>&x = rows[0], &y = rows[1], &z = rows[2], &w = rows[3];
   CullingPlanes<T> r;
   bounds::push_back(r, w, 1, x);
@@ -201,8 +201,8 @@ CullingPlanes<T> culling_planes(DepthRange depth, const std::array<Vec4<T>, 4>& 
 
 // The rows of a matrix. GLM's matrices are given by columns.
 template <std::floating_point T>
-std::array<Vec4<T>, 4> rows_of(const glm::mat<4, 4, T, glm::defaultp>& m) {
-  std::array<Vec4<T>, 4> rows;
+MatrixRows<T> rows_of(const glm::mat<4, 4, T, glm::defaultp>& m) {
+  MatrixRows<T> rows;
   for (int i = 0; i < 4; ++i) {
     rows[static_cast<std::size_t>(i)] = Vec4<T>(m[0][i], m[1][i], m[2][i], m[3][i]);
   }
@@ -210,7 +210,7 @@ std::array<Vec4<T>, 4> rows_of(const glm::mat<4, 4, T, glm::defaultp>& m) {
 }
 
 template <std::floating_point T>
-std::array<Vec4<T>, 4> rows_of(const Projection<T>& p) {
+MatrixRows<T> rows_of(const Projection<T>& p) {
   const T o(0);
   return {Vec4<T>(p.x.own, o, p.x.z, p.x.one), Vec4<T>(o, p.y.own, p.y.z, p.y.one),
           Vec4<T>(o, o, p.z.z, p.z.one), Vec4<T>(o, o, p.w.z, p.w.one)};

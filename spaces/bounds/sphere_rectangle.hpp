@@ -159,7 +159,7 @@ Row4 exact_row(const Vec4<T>& row) {
 
 // near: a row, or null for no cut.
 template <std::floating_point T>
-ScreenRectangle<T> projected_bounds(const std::array<Vec4<T>, 4>& rows, const Sphere<T>& sphere,
+ScreenRectangle<T> projected_bounds(const MatrixRows<T>& rows, const Sphere<T>& sphere,
                                     const Row4* near) {
   if (is_empty(sphere)) return {};
   if (!is_finite(sphere)) return ScreenRectangle<T>::everything();
@@ -187,13 +187,12 @@ ScreenRectangle<T> projected_bounds(const std::array<Vec4<T>, 4>& rows, const Sp
 
 // Row i of the matrix yields clip coordinate i.
 template <std::floating_point T>
-ScreenRectangle<T> projected_bounds(const std::array<Vec4<T>, 4>& rows, const Sphere<T>& sphere) {
+ScreenRectangle<T> projected_bounds(const MatrixRows<T>& rows, const Sphere<T>& sphere) {
   return bounds::projected_bounds(rows, sphere, nullptr);
 }
 
 template <std::floating_point T>
-ScreenRectangle<T> projected_bounds_beyond_near(DepthRange depth,
-                                                const std::array<Vec4<T>, 4>& rows,
+ScreenRectangle<T> projected_bounds_beyond_near(DepthRange depth, const MatrixRows<T>& rows,
                                                 const Sphere<T>& sphere) {
   const bounds::Row4 near = bounds::plane_rows(depth, rows)[static_cast<std::size_t>(Plane::near)];
   return bounds::projected_bounds(rows, sphere, &near);

@@ -106,18 +106,18 @@ TEST_CASE("overlap: a sphere that touches a slanted plane from inside is inside"
 
 TEST_CASE("overlap: the planes of a matrix are those of its frustum") {
   // 2 n / (r - l) = 1; depth (-11 z - 20) / 9 for near 1, far 10, times 9.
-  const std::array<std::array<double, 4>, 4> gl = {
-      {{9, 0, 0, 0}, {0, 9, 0, 0}, {0, 0, -11, -20}, {0, 0, -9, 0}}};
-  const auto forms = matrix_half_spaces(DepthRange::minus_one_to_one, gl);
+  const MatrixRows<double> gl = {Vec4<double>(9, 0, 0, 0), Vec4<double>(0, 9, 0, 0),
+                                 Vec4<double>(0, 0, -11, -20), Vec4<double>(0, 0, -9, 0)};
+  const auto forms = half_spaces_of(Truth::of_matrix(gl, {}));
   REQUIRE(forms.size() == 6);
   CHECK(overlap(forms, box(10, 30, -5, 5, -25, -5)) == Overlap::across);
   CHECK(overlap(forms, box(above(10), 30, -5, 5, -25, -5)) == Overlap::outside);
   CHECK(overlap(forms, box(-1, 1, -1, 1, -1, 3)) == Overlap::across);
   CHECK(overlap(forms, box(-1, 1, -1, 1, above(-1), 3)) == Overlap::outside);
   // Reversed: depth (z + 10) / 9, near at w - z = 0.
-  const std::array<std::array<double, 4>, 4> reversed = {
-      {{9, 0, 0, 0}, {0, 9, 0, 0}, {0, 0, 1, 10}, {0, 0, -9, 0}}};
-  const auto back = matrix_half_spaces(DepthRange::reversed, reversed);
+  const MatrixRows<double> reversed = {Vec4<double>(9, 0, 0, 0), Vec4<double>(0, 9, 0, 0),
+                                       Vec4<double>(0, 0, 1, 10), Vec4<double>(0, 0, -9, 0)};
+  const auto back = half_spaces_of(Truth::of_matrix(reversed, {.depth = DepthRange::reversed}));
   CHECK(overlap(back, exact_point(0, 0, 1), Dyadic(2)) == Overlap::across);
   CHECK(overlap(back, exact_point(0, 0, 1), Dyadic(below(2))) == Overlap::outside);
   CHECK(sign(back[4], {{0, 0, -10, 1}, {}}) == 1);

@@ -66,19 +66,16 @@ Volumes<T> of_frustum(const Frustum<T>& f) {
 }
 
 template <class T>
-Volumes<T> of_matrix(DepthRange depth, const std::array<Vec4<T>, 4>& rows) {
-  std::array<std::array<double, 4>, 4> numbers;
-  for (std::size_t r = 0; r < 4; ++r) {
-    for (std::size_t c = 0; c < 4; ++c) numbers[r][c] = rows[r][static_cast<int>(c)];
-  }
+Volumes<T> of_matrix(DepthRange depth, const MatrixRows<T>& rows) {
   const CullingHull<T> hull = culling_hull(depth, rows);
-  return {with_reach(culling_planes(depth, rows), hull), hull, matrix_half_spaces(depth, numbers)};
+  return {with_reach(culling_planes(depth, rows), hull), hull,
+          half_spaces_of(Truth::of_matrix(matrix_cast<double>(rows), {.depth = depth}))};
 }
 
 // The projection after a turn about y and a shift.
 template <class T>
-std::array<Vec4<T>, 4> turned(Random& random, const Frustum<T>& f) {
-  std::array<Vec4<T>, 4> rows = rows_of(Projection<T>(f));
+MatrixRows<T> turned(Random& random, const Frustum<T>& f) {
+  MatrixRows<T> rows = rows_of(Projection<T>(f));
   const double angle = uniform(random, -0.3, 0.3);
   const T c = static_cast<T>(std::cos(angle)), s = static_cast<T>(std::sin(angle));
   const T shift = static_cast<T>(uniform(random, -1, 1) * f.near);

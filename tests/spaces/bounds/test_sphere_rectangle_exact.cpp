@@ -20,7 +20,7 @@ using namespace clipscope::reference;
 namespace {
 
 template <class T>
-using Rows = std::array<Vec4<T>, 4>;
+using Rows = MatrixRows<T>;
 using Real = long double;
 using Point = std::array<Real, 3>;
 

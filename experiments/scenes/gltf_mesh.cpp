@@ -14,6 +14,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <string_view>
 
 #include "experiments/scenes/gltf_accessor.hpp"
@@ -178,6 +179,7 @@ class GltfMeshes {
   }
 
   void add_positions(const GltfAccessor& positions, const glm::dmat4& world_from_mesh) {
+    builder_.reserve(positions.count(), 0);
     const bool is_moved = world_from_mesh != glm::dmat4(1.0);
     for (std::size_t i = 0; i < positions.count(); ++i) {
       const glm::dvec3 p(positions.component(i, 0), positions.component(i, 1),
@@ -220,50 +222,54 @@ class GltfMeshes {
     values.fail("holds {} of {} vertices; {} expected", name, values.count(), vertices);
   }
 
-  // The corners of a primitive as numbers of vertices.
-  std::vector<std::uint32_t> corners_of(const GltfValue& primitive, std::size_t first,
-                                        std::size_t vertices) const {
-    if (builder_.vertices() > UINT32_MAX) {
-      refuse(gltf_.name, "{} vertices are too many; fewer than 2^32 expected", builder_.vertices());
-    }
-    std::vector<std::uint32_t> corners;
-    if (!primitive["indices"]) {
-      for (std::size_t i = 0; i < vertices; ++i) {
-        corners.push_back(static_cast<std::uint32_t>(first + i));
+  // The corners of a primitive as vertices of the builder.
+  class Corners {
+   public:
+    Corners(const GltfValue& primitive, std::size_t first, std::size_t vertices)
+        : first_(first), vertices_(vertices) {
+      if (!primitive["indices"]) return;
+      indices_.emplace(primitive["indices"]);
+      const std::size_t type = indices_->component_type();
+      if (indices_->components() != 1 || (type != 5121 && type != 5123 && type != 5125)) {
+        indices_->fail_shape("holds indices and ", "SCALAR and 5121, 5123 or 5125");
       }
-      return corners;
     }
-    const GltfAccessor indices(primitive["indices"]);
-    const std::size_t type = indices.component_type();
-    if (indices.components() != 1 || (type != 5121 && type != 5123 && type != 5125)) {
-      indices.fail_shape("holds indices and ", "SCALAR and 5121, 5123 or 5125");
-    }
-    corners.reserve(indices.count());
-    for (std::size_t i = 0; i < indices.count(); ++i) {
-      const double index = indices.component(i, 0);
-      if (!(index < static_cast<double>(vertices))) {
-        refuse(gltf_.name, "{}: index {} refers to vertex {}, but there are only {}",
-               indices.place(), i, index, vertices);
+
+    std::size_t size() const { return indices_ ? indices_->count() : vertices_; }
+
+    std::uint32_t operator[](std::size_t i) const {
+      const auto index = indices_ ? static_cast<std::size_t>(indices_->component(i, 0)) : i;
+      if (index >= vertices_) {
+        refuse(indices_->file().name, "{}: index {} refers to vertex {}, but there are only {}",
+               indices_->place(), i, index, vertices_);
       }
-      corners.push_back(static_cast<std::uint32_t>(first + static_cast<std::size_t>(index)));
+      return static_cast<std::uint32_t>(first_ + index);
     }
-    return corners;
-  }
+
+   private:
+    std::size_t first_, vertices_;
+    std::optional<GltfAccessor> indices_;
+  };
 
   // A transform that mirrors turns triangles round, so that their front stays in front.
   void add_triangles(const GltfValue& primitive, std::size_t mode, std::size_t first,
                      std::size_t vertices, bool is_mirrored) {
-    std::vector<std::uint32_t> corners = corners_of(primitive, first, vertices);
-    if (corners.size() < 3 || (mode == kTriangles && corners.size() % 3 != 0)) {
-      primitive.fail("has {} corners; {} expected", corners.size(),
+    if (builder_.vertices() > UINT32_MAX) {
+      refuse(gltf_.name, "{} vertices are too many; fewer than 2^32 expected", builder_.vertices());
+    }
+    const Corners corners(primitive, first, vertices);
+    const std::size_t count = corners.size();
+    if (count < 3 || (mode == kTriangles && count % 3 != 0)) {
+      primitive.fail("has {} corners; {} expected", count,
                      mode == kTriangles ? "a multiple of 3" : "at least 3");
     }
+    builder_.reserve(0, mode == kTriangles ? count / 3 : count - 2);
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       if (is_mirrored) std::swap(b, c);
       builder_.add_triangle(a, b, c);
     };
     if (mode == kStrip) return add_strip(corners, add);
-    for (std::size_t i = 2; i < corners.size(); i += mode == kFan ? 1 : 3) {
+    for (std::size_t i = 2; i < count; i += mode == kFan ? 1 : 3) {
       add(corners[mode == kFan ? 0 : i - 2], corners[i - 1], corners[i]);
     }
   }

@@ -49,6 +49,12 @@ const char* to_string(VertexValue value) {
   return kNames[static_cast<std::size_t>(value)];
 }
 
+void MeshBuilder::reserve(std::size_t vertices, std::size_t triangles) {
+  // Room of a known size costs no copy; to make it again and again would cost one each time.
+  if (mesh_.positions.empty()) mesh_.positions.reserve(vertices);
+  if (mesh_.triangles.empty()) mesh_.triangles.reserve(triangles);
+}
+
 void MeshBuilder::add_vertex(const std::array<double, 3>& p) {
   add_vertex(p, {nearest_float(p[0]), nearest_float(p[1]), nearest_float(p[2])});
 }
@@ -121,7 +127,6 @@ Mesh MeshBuilder::finish(const Place& place) {
   split_polygons();
   merge_equal_vertices(is_used);
   fill_attributes();
-  mesh_.triangles.shrink_to_fit();
   return std::move(mesh_);
 }
 

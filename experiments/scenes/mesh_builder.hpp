@@ -25,8 +25,8 @@ const char* to_string(VertexValue value);
 
 // Calls add(a, b, c) with the triangles of a strip, every second one turned round, so that all run
 // the same way. Those that have a corner twice are left out: they only join strips.
-template <class Add>
-void add_strip(std::span<const std::uint32_t> corners, const Add& add) {
+template <class Corners, class Add>
+void add_strip(const Corners& corners, const Add& add) {
   for (std::size_t i = 2; i < corners.size(); ++i) {
     const std::uint32_t a = corners[i - 2], b = corners[i - 1], c = corners[i];
     if (a == b || b == c || c == a) continue;
@@ -49,6 +49,9 @@ class MeshBuilder {
       : file_(file), numbered_by_(numbered_by) {}
 
   std::size_t vertices() const { return mesh_.positions.size(); }
+
+  // Makes room for the first ones: so many vertices, so many triangles.
+  void reserve(std::size_t vertices, std::size_t triangles);
 
   // Adds a vertex; each coordinate is rounded to float once.
   void add_vertex(const std::array<double, 3>& position);

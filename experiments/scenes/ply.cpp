@@ -60,6 +60,7 @@ class PlyReader {
     for (const PlyProperty& property : element_->properties) slots.push_back(slot_of(property));
     const auto has = [&](Slot slot) { return std::ranges::count(slots, slot) > 0; };
     const bool has_normals = has(kNx) && has(kNy) && has(kNz), has_texture = has(kU) && has(kV);
+    builder_.reserve(believable_count(), 0);
     for (index_ = 0; index_ < element_->count; ++index_) {
       begin_element();
       for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -78,6 +79,11 @@ class PlyReader {
     }
   }
 
+  // What the header announces of an element, if there are bytes for it.
+  std::size_t believable_count() const {
+    return std::min(static_cast<std::size_t>(element_->count), content_.size() / 2);
+  }
+
   static std::size_t slot_of(const PlyProperty& property) {
     const auto has_name = [&](const auto& names) {
       return std::ranges::find(names, property.name) != names.end();
@@ -90,6 +96,7 @@ class PlyReader {
   void read_others() {
     const bool is_strips = element_->name == "tristrips";
     const bool has_indices = is_strips || element_->name == "face";
+    if (has_indices && !is_strips) builder_.reserve(0, believable_count());
     for (index_ = 0; index_ < element_->count; ++index_) {
       begin_element();
       for (const PlyProperty& property : element_->properties) {

@@ -28,9 +28,7 @@ glm::dvec3 origin_near(const Box& box) {
 LostDetail lost_detail(const Mesh& mesh) {
   LostDetail detail;
   for (const auto& position : mesh.positions) {
-    for (const float x : position) {
-      detail.largest = std::max(detail.largest, std::abs(double{x}));
-    }
+    for (const float x : position) detail.largest = std::max(detail.largest, std::abs(double{x}));
   }
   const auto largest = static_cast<float>(detail.largest);
   detail.ulp = double{std::nextafter(largest, std::numeric_limits<float>::infinity())} - largest;

@@ -47,6 +47,22 @@ TEST_CASE("catalogue: every vertex found by hand is one of the exact polygon, an
   CHECK(done_by_hand >= 25);
 }
 
+TEST_CASE("catalogue: a file may begin with a byte order mark and end its lines as it likes") {
+  const std::string text =
+      "case a\nsource here\nwhy it is hard\nprimitive point\nspace clip gl\nvertex 0 0 0 1\n";
+  const auto with_ends = [&](const std::string& end) {
+    std::string changed = "\xEF\xBB\xBF";
+    for (const char c : text) changed += c == '\n' ? end : std::string(1, c);
+    return changed;
+  };
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    const std::vector<HardCase> cases = read_cases("marked.cases", with_ends(end));
+    REQUIRE(cases.size() == 1);
+    CHECK(cases[0].name == "marked/a");
+    CHECK(cases[0].why == "it is hard");
+  }
+}
+
 TEST_CASE("catalogue: names are unique, and every case says where it is from and why it is hard") {
   std::set<std::string> names;
   for (const HardCase& hard_case : builtin_catalogue()) {

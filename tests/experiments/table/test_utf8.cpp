@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/table/utf8.hpp"
+
+#include "tests/catch.hpp"
+
+namespace clipscope::experiments {
+namespace {
+
+TEST_CASE("visible text: what can't be seen or looks like ASCII is named, the rest stays") {
+  CHECK(visible_utf8("v 1\xC2\xB5") == "v 1\xC2\xB5");
+  CHECK(visible_utf8("\xC2\xA0v") == "<U+00A0 no-break space>v");
+  CHECK(visible_utf8("\xEF\xBB\xBFv") == "<U+FEFF byte order mark>v");
+  CHECK(visible_utf8("\xE2\x80\x8B") == "<U+200B zero-width space>");
+  CHECK(visible_utf8("\xE2\x88\x92.5") == "<U+2212 minus sign>.5");
+  CHECK(visible_utf8("a\tb") == "a<U+0009 control character>b");
+  CHECK(visible_utf8(std::string_view("\0", 1)) == "<U+0000 control character>");
+}
+
+TEST_CASE("visible text: bytes of no character are given as numbers") {
+  CHECK(visible_utf8("a\xFF") == "a<0xFF>");
+  CHECK(visible_utf8("\xE2\x82") == "<0xE2><0x82>");
+}
+
+}  // namespace
+}  // namespace clipscope::experiments

@@ -12,7 +12,8 @@
 namespace clipscope::experiments {
 namespace {
 
-constexpr double kMostNears = 1e6;  // powers of ten go so far where far is at infinity
+constexpr double kMostNears = 1e6;   // powers of ten go so far where far is at infinity
+constexpr double kJustBefore = 0.9;  // a power of ten so near to far would say the same
 
 double ulp_of_float(double x) {
   const auto f = static_cast<float>(std::abs(x));
@@ -50,7 +51,7 @@ std::vector<double> distances_of(const MatrixMeaning& m) {
   const double near = m.reading().near.value, far = m.reading().far.value;
   std::vector<double> distances = {near};
   if (m.perspective) {
-    for (double d = 10 * near; d < std::min(far, 2 * kMostNears * near); d *= 10) {
+    for (double d = 10 * near; d < std::min(kJustBefore * far, 2 * kMostNears * near); d *= 10) {
       distances.push_back(d);
     }
   }

@@ -54,7 +54,7 @@ TEST_CASE("pose: a quaternion of any length turns the camera about the eye") {
   options.orientation = {0, 2, 0, 2};  // a quarter turn about y: it looks down -x
   const glm::dvec3 ahead =
       transformed(make_views(triangle(), options).front().view_from_world, {-3, 1, 4});
-  CHECK(glm::length(ahead - glm::dvec3(0, 1, -3)) < 1e-15);
+  CHECK(glm::length(ahead - glm::dvec3(0, 1, -3)) < 4e-15);
 }
 
 TEST_CASE("pose: one that flattens, is projective or said twice is refused") {
@@ -133,7 +133,10 @@ TEST_CASE("matrix: a view takes it as given, of the world unless the camera stan
 }
 
 TEST_CASE("gltf camera: options may change its depths and its picture, near keeps the angle") {
-  GltfCamera camera{.name = "a", .fovy = 1, .aspect = 2.0, .near = 0.5};
+  GltfCamera camera;
+  camera.fovy = 1;
+  camera.aspect = 2.0;
+  camera.near = 0.5;
   const Frustum<double> f = frustum_of(camera, {});
   CHECK(f.infinite_far);
   CHECK(f.top == Approx(0.5 * std::tan(0.5)));

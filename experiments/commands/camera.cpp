@@ -30,9 +30,7 @@ struct Given {
 // The rows of the frustum's matrix as the format computes them.
 template <class T>
 MatrixRows<double> rows_of_frustum(const Frustum<double>& f) {
-  const Projection<T> p(frustum_cast<T>(f));
-  return {Vec4<double>(p.x.own, 0, p.x.z, p.x.one), Vec4<double>(0, p.y.own, p.y.z, p.y.one),
-          Vec4<double>(0, 0, p.z.z, p.z.one), Vec4<double>(0, 0, p.w.z, p.w.one)};
+  return matrix_cast<double>(clipscope::rows_of(Projection<T>(frustum_cast<T>(f))));
 }
 
 // The numbers rounded to float, unless they are to stay doubles; says how many changed.

@@ -14,9 +14,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 MatrixRows<double> rows_of(const Frustum<float>& frustum) {
-  const Projection<float> p(frustum);
-  return {Vec4<double>(p.x.own, 0, p.x.z, p.x.one), Vec4<double>(0, p.y.own, p.y.z, p.y.one),
-          Vec4<double>(0, 0, p.z.z, p.z.one), Vec4<double>(0, 0, p.w.z, p.w.one)};
+  return matrix_cast<double>(clipscope::rows_of(Projection<float>(frustum)));
 }
 
 // Sides at 45 degrees, near at 1; z = -z - 2.
@@ -72,8 +70,8 @@ TEST_CASE("meaning: a far plane that cancels is lost, a near one is not") {
   CHECK(lost.reading().far.value == kInfinity);
   CHECK(lost.reading().near.value == Approx(1e-3));
   CHECK(lost.planes[static_cast<std::size_t>(Plane::far)].at_infinity);
-  // 1e6: some ulp are left, and one more puts the far plane beyond infinity.
-  const MatrixMeaning doubtful = meaning_of({rows_of(frustum(0.1f, 1e6f))}, {});
+  // 2e7: one ulp is left, and one less puts the far plane at infinity.
+  const MatrixMeaning doubtful = meaning_of({rows_of(frustum(0.05f, 1e6f))}, {});
   CHECK(doubtful.reading().far.high == kInfinity);
   CHECK(doubtful.planes[static_cast<std::size_t>(Plane::far)].digits < 1);
   // 10: all digits but one.

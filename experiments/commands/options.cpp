@@ -130,49 +130,6 @@ std::string read_all(std::istream& in, const std::string& name) {
   return text;
 }
 
-// Errors: UsageError.
-std::vector<double> perspective_sides(const std::vector<double>& p) {
-  if (!(p[0] > 0 && p[0] < 180 && p[1] > 0)) {
-    usage_error(
-        "--perspective: FOVY {} must lie in (0, 180) degrees and ASPECT {} must be positive", p[0],
-        p[1]);
-  }
-  const double top = p[2] * std::tan(p[0] * (M_PI / 360.0));
-  const double right = p[1] * top;
-  return {-right, right, -top, top, p[2], p[3]};
-}
-
-std::string given_text(const PrimitiveTextOptions& options) {
-  std::vector<std::string> names;
-  for (const auto& [name, numbers] : options.projections) names.push_back(name);
-  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, " and "));
-}
-
-// The only projection. Errors: UsageError.
-const std::pair<std::string, std::vector<double>>& given_projection(
-    const PrimitiveTextOptions& options) {
-  if (options.projections.size() == 1) return options.projections.front();
-  usage_error(
-      "--space view takes one of --perspective, --frustum, --ortho, --intrinsics and --matrix, {} given",
-      options.projections.empty() ? "none is" : given_text(options) + " are");
-}
-
-Frustum<double> given_frustum(const PrimitiveTextOptions& options) {
-  const auto& [option, v] = given_projection(options);
-  if (option == "--intrinsics") {
-    if (!options.near || !options.far) {
-      usage_error("--intrinsics: it says nothing of depth; give --near and --far too");
-    }
-    return intrinsics_frustum({v[0], v[1], v[2], v[3], v[4], v[5]}, *options.near, *options.far);
-  }
-  if (options.near || options.far) {
-    usage_error("--near and --far go with --intrinsics; {} has its own", option);
-  }
-  return frustum_of_numbers(
-      option == "--ortho" ? ProjectionKind::parallel : ProjectionKind::perspective,
-      option == "--perspective" ? perspective_sides(v) : v);
-}
-
 // What is clipped against in view space. Errors: UsageError.
 Frustum<double> frustum_of(const PrimitiveTextOptions& options) {
   Frustum<double> f = given_frustum(options);
@@ -186,7 +143,7 @@ Frustum<double> frustum_of(const PrimitiveTextOptions& options) {
 // The matrix, its numbers rounded as those of primitives are. Errors: UsageError.
 MatrixRows<double> matrix_of(const PrimitiveTextOptions& options) {
   std::array<double, 16> numbers;
-  std::ranges::copy(given_projection(options).second, numbers.begin());
+  std::ranges::copy(given_projection(options, "--space view takes").second, numbers.begin());
   for (double& x : numbers) {
     if (reads_floats(options)) x = static_cast<float>(x);
     if (!std::isfinite(x)) {
@@ -276,28 +233,7 @@ CLI::Option* add_viewport_option(CLI::App& command,
 }
 
 void add_projection_options(CLI::App& command, PrimitiveTextOptions& options) {
-  const auto add_projection = [&](const char* name, std::size_t count, const char* type,
-                                  const char* help) {
-    const auto set = [&options, name](const std::vector<double>& numbers) {
-      options.projections.emplace_back(name, numbers);
-    };
-    add_number_list(command, name, count, type, set, help);
-  };
-  add_projection("--perspective", 4, "FOVY,ASPECT,NEAR,FAR",
-                 "Perspective projection, FOVY in degrees; FAR may be inf");
-  add_projection("--frustum", 6, "L,R,B,T,N,F",
-                 "Perspective projection, sides measured on the near plane; F may be inf");
-  add_projection("--ortho", 6, "L,R,B,T,N,F", "Orthographic projection");
-  add_projection("--intrinsics", 6, "FX,FY,CX,CY,W,H", kIntrinsicsHelp);
-  command.add_option("--near", options.near, "Distance of the near plane, with --intrinsics");
-  command.add_option("--far", options.far, "Distance of the far plane, with --intrinsics");
-  const auto set = [&options](const std::array<double, 16>& m) {
-    options.projections.emplace_back("--matrix", std::vector<double>(m.begin(), m.end()));
-  };
-  add_matrix_option(
-      command, "--matrix", set,
-      "Matrix to clip space as given, of any handedness and sign of y, from the space of the input: the camera's, or the world");
-  add_matrix_order(command, options.by_columns);
+  add_lens_options(command, options);
   add_depth_option(command, options.depth);
 }
 
@@ -325,7 +261,7 @@ Batch described_batch(const PrimitiveTextOptions& options) {
   Batch batch{.space = options.space == "view" ? Space::view : Space::clip,
               .attributes = options.attributes};
   if (batch.space == Space::view) {
-    if (given_projection(options).first == "--matrix") {
+    if (given_projection(options, "--space view takes").first == "--matrix") {
       batch.matrix = matrix_of(options);
     } else {
       batch.frustum = frustum_of(options);

@@ -75,7 +75,23 @@ void add_matrix_option(CLI::App& command, const std::string& name,
 // --matrix-order row|column.
 void add_matrix_order(CLI::App& command, bool& by_columns, const std::string& group = "");
 // --depth gl|zero_to_one|reversed.
+CLI::Option* add_depth_option(CLI::App& command, std::function<void(DepthRange)> set);
 CLI::Option* add_depth_option(CLI::App& command, DepthRange& depth);
+
+// --perspective, --frustum, --ortho, --intrinsics and --matrix as given: option and numbers.
+using GivenProjection = std::pair<std::string, std::vector<double>>;
+struct LensOptions {
+  std::vector<GivenProjection> projections;
+  bool by_columns = false;          // the numbers of --matrix
+  std::optional<double> near, far;  // of --intrinsics
+};
+void add_lens_options(CLI::App& command, LensOptions& options);
+// "--ortho and --matrix"; "none".
+std::string given_text(const LensOptions& options);
+// The only one. who: "--space view takes", say. Errors: UsageError unless there is one.
+const GivenProjection& given_projection(const LensOptions& options, const std::string& who);
+// The frustum of the first, in double. Pre-condition: it is no --matrix. Errors: UsageError.
+Frustum<double> given_frustum(const LensOptions& options);
 
 // Where the camera is: --eye, --target, --up, --orientation, --pose, --axes, --camera.
 void add_place_options(CLI::App& command, CameraOptions& camera);
@@ -126,14 +142,10 @@ std::vector<TextLine> read_lines(const std::string& path);
 // The number, rounded once to float or double. Errors: InputError naming the place.
 double parse_number(const std::string& word, bool as_float, const std::string& place);
 
-struct PrimitiveTextOptions {
+struct PrimitiveTextOptions : LensOptions {
   std::string space = "view";
   std::string scalar = "float";
   int attributes = 0;
-  // --perspective, --frustum, --ortho, --intrinsics and --matrix as given.
-  std::vector<std::pair<std::string, std::vector<double>>> projections;
-  bool by_columns = false;          // the numbers of --matrix
-  std::optional<double> near, far;  // of --intrinsics
   DepthRange depth = DepthRange::minus_one_to_one;
   int flat = 0;                     // so many of the last attributes have one value per primitive:
   std::string provoking = "first";  // that of its first or last vertex

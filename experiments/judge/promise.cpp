@@ -215,11 +215,6 @@ constexpr double kMatrixUlps = 4;
 constexpr MatrixRows<double> kIdentityRows = {Vec4<double>(1, 0, 0, 0), Vec4<double>(0, 1, 0, 0),
                                               Vec4<double>(0, 0, 1, 0), Vec4<double>(0, 0, 0, 1)};
 
-MatrixRows<double> rows_of(const Projection<double>& p) {
-  return {Vec4<double>(p.x.own, 0, p.x.z, p.x.one), Vec4<double>(0, p.y.own, p.y.z, p.y.one),
-          Vec4<double>(0, 0, p.z.z, p.z.one), Vec4<double>(0, 0, p.w.z, p.w.one)};
-}
-
 Corners corners_of(const reference::Truth& truth, InputVertices vertices) {
   Corners corners;
   for (const InputVertex& v : vertices) {

@@ -178,6 +178,9 @@ void add_scene_options(CLI::App& command, Selection& selection) {
   command.add_option("--sample", selection.sample,
                      "At most this many triangles per view, evenly spaced; 0: all");
   command.add_flag("--quick", selection.quick, "Smaller scenes, for a first look");
+  command.add_flag(
+      "--recentre", selection.recentre,
+      "Subtract an origin near the centre of each mesh in double before its positions become floats; the camera stays in the file's coordinates");
   add_camera_options(command, selection.camera);
 }
 

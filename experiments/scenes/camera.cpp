@@ -191,7 +191,7 @@ std::array<dvec3, 3> spread_triangle(const Mesh& mesh, int n) {
   std::array<dvec3, 3> corners;
   for (std::size_t i = 0; i < count; ++i) {
     std::ranges::transform(mesh.triangles[(start + i) % count], corners.begin(),
-                           [&](std::uint32_t corner) { return point_of(mesh, corner); });
+                           [&](std::uint32_t corner) { return point_in_double(mesh, corner); });
     if (!are_parallel(corners[1] - corners[0], corners[2] - corners[0])) break;
   }
   return corners;

@@ -23,9 +23,9 @@ class BoxCoordinates {
     std::ranges::stable_sort(axes_, [this](int a, int b) { return size_[a] > size_[b]; });
   }
 
-  double operator()(const std::array<float, 3>& p, int rank) const {
+  double operator()(const glm::dvec3& p, int rank) const {
     const int axis = axes_[static_cast<std::size_t>(rank)];
-    return size_[axis] > 0 ? (p[static_cast<std::size_t>(axis)] - lo_[axis]) / size_[axis] : 0.5;
+    return size_[axis] > 0 ? (p[axis] - lo_[axis]) / size_[axis] : 0.5;
   }
 
  private:
@@ -196,7 +196,7 @@ void MeshBuilder::fill_attributes() {
   mesh_.attributes.resize(vertices(), {kAbsent, kAbsent, kAbsent, kAbsent});
   const BoxCoordinates coordinates(bounding_box(mesh_));
   for (std::size_t i = 0; i < vertices(); ++i) {
-    const std::array<float, 3>& p = mesh_.positions[i];
+    const glm::dvec3 p = point_in_double(mesh_, i);
     auto& [u, v, a, b] = mesh_.attributes[i];
     if (std::isnan(u)) {
       u = static_cast<float>(coordinates(p, 0));

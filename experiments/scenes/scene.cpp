@@ -10,7 +10,6 @@
 #include <span>
 
 #include "experiments/machine/errors.hpp"
-#include "experiments/machine/warning.hpp"
 #include "experiments/scenes/builtin.hpp"
 #include "experiments/scenes/camera.hpp"
 #include "experiments/scenes/gltf_camera.hpp"
@@ -87,10 +86,10 @@ void view_triangles(const Scene& scene, const View& view, std::size_t first,
 
 Box bounding_box(const Mesh& mesh) {
   assert(!mesh.positions.empty());
-  Box box{point_of(mesh, 0), point_of(mesh, 0)};
+  Box box{point_in_double(mesh, 0), point_in_double(mesh, 0)};
   for (std::size_t i = 1; i < mesh.positions.size(); ++i) {
-    box.lo = glm::min(box.lo, point_of(mesh, i));
-    box.hi = glm::max(box.hi, point_of(mesh, i));
+    box.lo = glm::min(box.lo, point_in_double(mesh, i));
+    box.hi = glm::max(box.hi, point_in_double(mesh, i));
   }
   return box;
 }
@@ -112,7 +111,6 @@ Scene load_scene(std::string_view name_or_file, const SceneOptions& options,
   Scene scene;
   scene.name = path.filename().string();
   scene.mesh = load_mesh(path);
-  std::ranges::for_each(scene.mesh.remarks, warn);
   scene.description = fmt::format("{} triangles of {}", scene.mesh.triangles.size(), path.string());
   if (!camera.gltf_camera) {
     scene.views = make_views(scene.mesh, camera);

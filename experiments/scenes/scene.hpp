@@ -82,7 +82,8 @@ struct Box {
   glm::dvec3 size() const { return hi - lo; }
 };
 
-// The smallest box around all positions of the mesh. Pre-condition: the mesh has a position.
+// The smallest box around all positions of the mesh, in double where there are doubles.
+// Pre-condition: the mesh has a position.
 Box bounding_box(const Mesh& mesh);
 
 struct SceneOptions;   // experiments/scenes/builtin.hpp

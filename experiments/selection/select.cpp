@@ -9,7 +9,9 @@
 #include <string>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/machine/warning.hpp"
 #include "experiments/scenes/builtin.hpp"
+#include "experiments/scenes/recentre.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -129,7 +131,12 @@ std::vector<std::string> scene_names(const Selection& selection) {
 
 Scene load_selected_scene(const Selection& selection, const std::string& name) {
   const SceneOptions options{.seed = selection.seed, .quick = selection.quick};
-  return load_scene(name, options, selection.camera);
+  Scene scene = load_scene(name, options, selection.camera);
+  if (selection.recentre) recentre(scene);
+  std::ranges::for_each(scene.mesh.remarks, warn);
+  const std::string lost = describe(lost_detail(scene.mesh), scene.name);
+  if (!lost.empty()) warn(lost);
+  return scene;
 }
 
 Contestants selected_contestants(const Selection& selection) {

@@ -51,6 +51,7 @@ struct Selection {
   std::uint64_t seed = 1;
   std::size_t sample = 0;  // triangles per view; 0: the command's default
   bool quick = false;
+  bool recentre = false;  // see recentre.hpp
   bool json = false;
   bool tables = false;    // run: print every table
   bool pictures = false;  // also those of single cases that fail
@@ -68,6 +69,7 @@ struct Selection {
 // Names or files, all built-in scenes if none was given.
 std::vector<std::string> scene_names(const Selection& selection);
 
+// Warns of what a mesh file has that people should know, and of detail that float loses.
 // Errors: InputError, UsageError.
 Scene load_selected_scene(const Selection& selection, const std::string& name);
 

@@ -70,6 +70,12 @@ void require_valid(const Frustum<double>& f) {
   throw std::invalid_argument(message.str());
 }
 
+void require_finite(const char* what, double number) {
+  if (std::isfinite(number)) return;
+  throw std::invalid_argument(std::string(what) + ": expected finite numbers, one is " +
+                              std::to_string(number));
+}
+
 void require_valid(const ClipVolume& volume) {
   if (volume.clip_distances < 0 || volume.clip_distances > kMaxClipDistances) {
     throw std::invalid_argument("clip volume: expected 0 to 8 clip distances, there are " +
@@ -284,32 +290,46 @@ Truth Truth::of_frustum(const Frustum<double>& frustum, const ClipVolume& volume
   return truth;
 }
 
-template <class T>
-Truth Truth::of_any_matrix(const Projection<T>& projection) {
-  const LinearForm x = row(projection.x, kX);
-  const LinearForm y = row(projection.y, kY);
-  const LinearForm z = depth_row(projection.z);
-  const LinearForm w = depth_row(projection.w);
-  for (const LinearForm& form : {x, y, z, w}) {
-    for (const Term& term : form) {
-      if (!std::isfinite(term.coefficient)) {
-        throw std::invalid_argument("projection matrix: expected finite numbers, one is " +
-                                    std::to_string(term.coefficient));
-      }
-    }
+Truth Truth::of_rows(const ClipVolume& volume, const std::array<LinearForm, 4>& rows) {
+  for (const LinearForm& form : rows) {
+    for (const Term& term : form) require_finite("projection matrix", term.coefficient);
   }
-  require_valid(projection.volume);
+  require_valid(volume);
   Truth truth;
   truth.kind_ = TruthKind::matrix;
-  truth.volume_ = projection.volume;
-  truth.set_half_spaces(clip_half_spaces(projection.volume.depth, x, y, z, w));
-  truth.w_ = w;
-  truth.projection_ = {projection_form(x), projection_form(y), projection_form(z)};
+  truth.volume_ = volume;
+  truth.set_half_spaces(clip_half_spaces(volume.depth, rows[0], rows[1], rows[2], rows[3]));
+  truth.w_ = rows[3];
+  for (int i = 0; i < 3; ++i) truth.projection_[i] = projection_form(rows[i]);
   return truth;
 }
 
-Truth Truth::of_matrix(const Projection<float>& projection) { return of_any_matrix(projection); }
-Truth Truth::of_matrix(const Projection<double>& projection) { return of_any_matrix(projection); }
+Truth Truth::of_matrix(const Projection<float>& p) {
+  return of_rows(p.volume, {row(p.x, kX), row(p.y, kY), depth_row(p.z), depth_row(p.w)});
+}
+
+Truth Truth::of_matrix(const Projection<double>& p) {
+  return of_rows(p.volume, {row(p.x, kX), row(p.y, kY), depth_row(p.z), depth_row(p.w)});
+}
+
+Truth Truth::of_matrix(const MatrixRows<double>& rows, const ClipVolume& volume) {
+  const auto form = [](const Vec4<double>& r) {
+    return LinearForm{{r[0], kX}, {r[1], kY}, {r[2], kZ}, {r[3], kOne}};
+  };
+  return of_rows(volume, {form(rows[0]), form(rows[1]), form(rows[2]), form(rows[3])});
+}
+
+Truth Truth::with_planes(std::span<const std::array<double, 4>> planes) const {
+  Truth truth = *this;
+  for (const auto& [a, b, c, d] : planes) {
+    for (const double x : {a, b, c, d}) require_finite("user plane", x);
+    // The fourth coordinate is 1 in view space.
+    HalfSpace& plane =
+        truth.half_spaces_.emplace_back(HalfSpace{{{a, kX}, {b, kY}, {c, kZ}, {d, kW}}});
+    drop_zero_terms(plane.form);
+  }
+  return truth;
+}
 
 Truth Truth::of_clip(DepthRange depth) { return of_clip(ClipVolume{.depth = depth}); }
 

@@ -25,6 +25,7 @@
 
 #include <array>
 #include <concepts>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -107,15 +108,21 @@ class Truth {
   // nothing is used. Throws std::invalid_argument if the matrix isn't finite.
   static Truth of_matrix(const Projection<float>& projection);
   static Truth of_matrix(const Projection<double>& projection);
+  // Any matrix, of whatever entries.
+  static Truth of_matrix(const MatrixRows<double>& rows, const ClipVolume& volume);
   static Truth of_clip(DepthRange depth);
   static Truth of_clip(const ClipVolume& volume);
+
+  // With further planes a x + b y + c z + d >= 0 of view space, in clip space with d w. Throws
+  // std::invalid_argument if a number isn't finite.
+  Truth with_planes(std::span<const std::array<double, 4>> planes) const;
 
   // The same projection, each plane moved inwards so that d_p >= distance holds, where d_p is the
   // form w + x and so on of the true clip coordinates (w = -z_view for perspective, 1 for
   // parallel), and each clip distance so that it is >= attribute_distance.
   // A negative distance moves outwards, but w >= 0 remains a condition then, and vertices with w =
   // 0 remain outside. The distance is turned into view-space forms in double: it is a loose bound.
-  // The plane of an infinite far stays where it is.
+  // The plane of an infinite far stays where it is. Pre-condition: there are no further planes.
   Truth inset(double distance, double attribute_distance = 0) const;
 
   TruthKind kind() const { return kind_; }
@@ -124,9 +131,9 @@ class Truth {
   // The exact clip coordinates (x, y, z, w) of a vertex.
   std::array<Rational, 4> clip_position(const InputVertex& vertex) const;
 
-  // The half-spaces of the volume in the order of Plane, then the clip distances; and w. Absent are
-  // near and far where they are clamped, and the infinite far plane of a frustum's truth. An
-  // outward inset appends w >= 0.
+  // The half-spaces of the volume in the order of Plane, then the clip distances and further
+  // planes; and w. Absent are near and far where they are clamped, and the infinite far plane of a
+  // frustum's truth. An outward inset appends w >= 0.
   struct HalfSpace {
     LinearForm form;
     double clip_scale = 1;  // form times clip_scale is w + x and so on
@@ -138,8 +145,7 @@ class Truth {
   const std::array<ProjectionForm, 3>& projection() const { return projection_; }
 
  private:
-  template <class T>
-  static Truth of_any_matrix(const Projection<T>& projection);
+  static Truth of_rows(const ClipVolume& volume, const std::array<LinearForm, 4>& rows);
   void set_half_spaces(std::vector<HalfSpace> six);
 
   TruthKind kind_ = TruthKind::clip;
@@ -148,5 +154,25 @@ class Truth {
   LinearForm w_;
   std::array<ProjectionForm, 3> projection_;
 };
+
+// Anything that says what its primitives are clipped against: those of view space by a matrix where
+// there is one, else by a frustum.
+template <class Setting>
+concept ClipSetting = requires(const Setting& s) {
+  { s.space } -> std::convertible_to<Space>;
+  { s.frustum } -> std::convertible_to<Frustum<double>>;
+  { s.matrix } -> std::convertible_to<std::optional<MatrixRows<double>>>;
+  { s.volume } -> std::convertible_to<ClipVolume>;
+  { s.planes } -> std::convertible_to<std::span<const std::array<double, 4>>>;
+};
+
+// Errors: those of Truth.
+template <ClipSetting Setting>
+Truth truth_of(const Setting& s) {
+  const Truth truth = s.space == Space::clip ? Truth::of_clip(s.volume)
+                      : s.matrix             ? Truth::of_matrix(*s.matrix, s.volume)
+                                             : Truth::of_frustum(s.frustum, s.volume);
+  return s.planes.empty() ? truth : truth.with_planes(s.planes);
+}
 
 }  // namespace clipscope::reference

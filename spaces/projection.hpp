@@ -10,7 +10,9 @@
 // depth row changed; far -> infinity: Lengyel, "Projection Matrix Tricks", GDC 2007.
 #pragma once
 
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 
 #include "spaces/vertex.hpp"
@@ -176,6 +178,31 @@ struct Projection {
   }
 };
 
+// Any matrix to clip space by its rows: row i yields clip coordinate i of the point (x, y, z, 1).
+template <Scalar T>
+using MatrixRows = std::array<Vec4<T>, 4>;
+
+// The same matrix in another scalar; exact where T can hold the numbers given.
+template <Scalar T, Scalar U>
+constexpr MatrixRows<T> matrix_cast(const MatrixRows<U>& rows) {
+  MatrixRows<T> r;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k) r[i][k] = T(rows[i][k]);
+  }
+  return r;
+}
+
+// By a matrix as given, each coordinate summed from left to right.
+template <Scalar T>
+constexpr Vec4<T> to_clip(const MatrixRows<T>& rows, const Vec3<T>& v) {
+  Vec4<T> r;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const T sum = rows[i][0] * v[0] + rows[i][1] * v[1] + rows[i][2] * v[2] + rows[i][3];
+    r[static_cast<int>(i)] = sum;
+  }
+  return r;
+}
+
 // View space to clip space.
 template <Scalar T>
 constexpr Vec4<T> to_clip(const Projection<T>& p, const Vec3<T>& v) {
@@ -186,14 +213,15 @@ constexpr Vec4<T> to_clip(const Projection<T>& p, const Vec3<T>& v) {
   return Vec4<T>(x, y, z, w);
 }
 
-template <Scalar T, int K>
-constexpr ClipVertex<T, K> to_clip(const Projection<T>& p, const ViewVertex<T, K>& v) {
+// p: a projection or the rows of a matrix.
+template <class P, Scalar T, int K>
+constexpr ClipVertex<T, K> to_clip(const P& p, const ViewVertex<T, K>& v) {
   return {to_clip(p, v.position), v.attributes};
 }
 
-template <Scalar T, int K, std::size_t N>
+template <class P, Scalar T, int K, std::size_t N>
 constexpr std::array<ClipVertex<T, K>, N> to_clip(
-    const Projection<T>& p, const std::array<ViewVertex<T, K>, N>& primitive) {
+    const P& p, const std::array<ViewVertex<T, K>, N>& primitive) {
   std::array<ClipVertex<T, K>, N> r;
   for (std::size_t i = 0; i < N; ++i) r[i] = to_clip(p, primitive[i]);
   return r;

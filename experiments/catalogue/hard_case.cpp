@@ -8,13 +8,9 @@
 
 namespace clipscope::experiments {
 
-using reference::Truth;
 using reference::Verdict;
 
-Truth truth_of(const HardCase& hard_case) {
-  return hard_case.space == Space::view ? Truth::of_frustum(hard_case.frustum, hard_case.volume)
-                                        : Truth::of_clip(hard_case.volume);
-}
+reference::Truth truth_of(const HardCase& hard_case) { return reference::truth_of(hard_case); }
 
 reference::ExactPolygon exact_polygon(const HardCase& hard_case) {
   return reference::clip(truth_of(hard_case), hard_case.vertices, hard_case.attribute_count);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,9 +43,13 @@ struct HardCase {
 
   // Space::view or Space::clip. The frustum is of use in view space only and its numbers are
   // floats; frustum.depth is volume.depth in both spaces.
+  // A matrix, where there is one, takes the place of the frustum; further planes count beside the
+  // volume. A case of a catalogue has neither.
   Space space = Space::clip;
   Frustum<double> frustum;
+  std::optional<MatrixRows<double>> matrix = {};
   ClipVolume volume;
+  std::vector<std::array<double, 4>> planes = {};
 
   // Coordinates and attributes are floats. In view space position[3] is 1.
   // Attributes given in the file come first, the clip distances leading. Fewer than
@@ -62,6 +67,9 @@ struct HardCase {
   std::string file;      // where the case is written
   std::size_t line = 0;  // of its first line
 };
+
+// Whether the case starts in view space in front of a frustum.
+inline bool has_frustum(const HardCase& c) { return c.space == Space::view && !c.matrix; }
 
 // What the case is clipped against, in exact numbers.
 reference::Truth truth_of(const HardCase& hard_case);

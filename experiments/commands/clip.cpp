@@ -15,7 +15,7 @@
 #include "experiments/commands/options.hpp"
 #include "experiments/contestants/contestant.hpp"
 #include "experiments/contestants/flatness.hpp"
-#include "experiments/contestants/triangulate.hpp"
+#include "experiments/scenes/triangulate.hpp"
 #include "experiments/selection/select.hpp"
 #include "experiments/table/hex_float.hpp"
 
@@ -238,19 +238,6 @@ int clip_text(ClipOptions options) {
   return kExitOk;
 }
 
-// "640x480". Errors: CLI::ValidationError.
-std::array<double, 2> parse_viewport(const std::string& text) {
-  int width = 0, height = 0;
-  const char* const end = text.data() + text.size();
-  const char* const x = std::from_chars(text.data(), end, width).ptr;
-  if (x != end && *x == 'x' && std::from_chars(x + 1, end, height).ptr == end && width > 0 &&
-      height > 0) {
-    return {static_cast<double>(width), static_cast<double>(height)};
-  }
-  throw CLI::ValidationError(
-      "--viewport", fmt::format("'{}' given, WxH in pixels expected, such as 1920x1080", text));
-}
-
 // Those that count in pixels.
 void add_viewport_options(CLI::App& command, ClipOptions& options) {
   CLI::Option* size = add_option(command, "--point-size", options.point_size, "PX",
@@ -262,12 +249,11 @@ void add_viewport_options(CLI::App& command, ClipOptions& options) {
   CLI::Option* scissor = add_number_list(
       command, "--scissor", 4, "X,Y,W,H", set_scissor,
       "Clip to a rectangle of the viewport, X,Y its lower left corner in pixels, y upwards; counts as 4 planes");
-  const auto set = [&options](const std::string& text) { options.viewport = parse_viewport(text); };
+  const auto set = [&options](const std::array<double, 2>& viewport) {
+    options.viewport = viewport;
+  };
   CLI::Option* viewport =
-      command
-          .add_option_function<std::string>("--viewport", set,
-                                            "Size in pixels of what the volume is drawn to")
-          ->type_name("WxH");
+      add_viewport_option(command, set, "Size in pixels of what the volume is drawn to");
   size->needs(viewport);
   scissor->needs(viewport);
 }

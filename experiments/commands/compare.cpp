@@ -3,12 +3,14 @@
 // clipscope compare: every clipper and scalar on the same triangles, how right and how fast.
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <iterator>
 #include <optional>
 
 #include "experiments/commands/options.hpp"
 #include "experiments/contestants/columns.hpp"
 #include "experiments/machine/machine.hpp"
+#include "experiments/scenes/mesh_edges.hpp"
 #include "experiments/survey/accuracy.hpp"
 #include "experiments/survey/contest_clock.hpp"
 
@@ -28,27 +30,62 @@ struct CompareRow {
   std::optional<Timing> timing;
   std::optional<std::string> refused;
 
-  static constexpr std::array<std::string_view, 2> kNotes = {
+  static constexpr std::array<std::string_view, 3> kNotes = {
+      "Wrong: triangles that look it: not the right vertices, or one of them 1/256 px off or more.",
       kAccuracyNote,
       "x textbook: how many times faster than textbook in float, median of ratios within a round; intervals cover 95 %."};
   static constexpr auto columns() {
     using R = CompareRow;
-    return std::tuple(contestant_columns(&R::clipper, &R::scalar), group(&R::accuracy),
-                      group(&R::timing),
-                      column("timing_refused", "not timed because", &R::refused));
+    using A = AccuracyFigures;
+    // The verdict first, so that it stands beside the contestant on a terminal.
+    return std::tuple(
+        contestant_columns(&R::clipper, &R::scalar),
+        group(&R::accuracy,
+              std::tuple_cat(std::tuple(derived("wrong", "wrong", &A::wrong)), A::px_columns())),
+        group(&R::timing),
+        group(&R::accuracy, std::tuple_cat(A::outcome_columns(), A::other_columns())),
+        column("timing_refused", "not timed because", &R::refused));
   }
 };
+
+// Clippers that start from a frustum have no answer where a matrix is given. Says who was left out;
+// empty if nobody was. Errors: UsageError if nobody is left.
+std::string leave_out_frustum_clippers(const Selection& selection, Contestants& contestants) {
+  if (!selection.camera.matrix) return "";
+  std::vector<std::string_view> left_out;
+  std::erase_if(contestants, [&](const Contestant* c) {
+    if (c->takes_clip_space) return false;
+    left_out.push_back(c->clipper);
+    return true;
+  });
+  left_out.erase(std::ranges::unique(left_out).begin(), left_out.end());
+  if (contestants.empty()) {
+    usage_error("--clipper: {} start from a frustum, so a --matrix is not applicable",
+                fmt::join(left_out, ", "));
+  }
+  const std::string truth = "Truth: the matrix as given, in exact arithmetic.";
+  if (left_out.empty()) return truth;
+  return fmt::format("{} Not applicable, since they start from a frustum: {}.", truth,
+                     fmt::join(left_out, ", "));
+}
 
 // All scenes go into one tally and one timing per contestant.
 int compare_contestants(const CompareOptions& options) {
   const Selection& selection = options.selection;
-  const Contestants contestants = selected_contestants(selection);
+  Contestants contestants = selected_contestants(selection);
+  const std::string left_out = leave_out_frustum_clippers(selection, contestants);
   std::vector<AccuracyTally> tallies(contestants.size());
   std::vector<SampledView> views;
+  std::vector<std::string> cracks;  // that the meshes have by themselves
   const AccuracyOptions accuracy{.triangles_per_view = selection.sample};
   const std::vector<std::string> names = scene_names(selection);
   for (const std::string& name : names) {
     const Scene scene = load_selected_scene(selection, name);
+    if (const MeshEdges edges = edges_of(scene.mesh); edges.may_crack()) {
+      cracks.push_back(
+          fmt::format("{} as given has {}: a picture may crack there however it is clipped.",
+                      scene.name, crack_text(edges)));
+    }
     Progress progress(fmt::format("compare on {}", scene.name), sampled_triangles(scene, accuracy));
     measure_accuracy(scene, contestants, accuracy, tallies, progress);
     std::ranges::move(sampled_views(scene, kTimedTriangles / names.size()),
@@ -65,6 +102,8 @@ int compare_contestants(const CompareOptions& options) {
                AccuracyFigures(tallies[i]), if_timed(timing),
                timing.is_timed() ? std::nullopt : std::optional(timing.refused)});
   }
+  for (const std::string& note : cracks) table.add_note(note);
+  if (!left_out.empty()) table.add_note(left_out);
   table.add_note(machine_description());
   print_table(table, selection.json, options.out);
   return kExitOk;

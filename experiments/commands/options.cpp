@@ -5,7 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -13,6 +15,7 @@
 #include <iostream>
 
 #include "experiments/contestants/scalars.hpp"
+#include "experiments/scenes/text_file.hpp"
 
 namespace clipscope::experiments::commands {
 namespace {
@@ -30,58 +33,39 @@ std::vector<double> parse_numbers(const std::string& text) {
   }
 }
 
-void add_camera_options(CLI::App& command, CameraOptions& camera) {
-  const std::string group = "Camera (without --eye: a walk around and through the mesh)";
-  const auto add_vector = [&](const char* name, std::optional<glm::dvec3>& value,
-                              const char* help) {
-    const auto set = [&value](const std::vector<double>& v) {
-      value = glm::dvec3(v[0], v[1], v[2]);
-    };
-    add_number_list(command, name, 3, "X,Y,Z", set, help)->group(group);
-  };
-  const auto add = [&](const char* name, auto& value, const char* help) {
-    command.add_option(name, value, help)->group(group);
-  };
-  add_vector("--eye", camera.eye, "Where the camera is");
-  add_vector("--target", camera.target, "What it looks at [centre of the mesh]");
-  add_vector("--up", camera.up, "Which way is up [0,1,0]");
-  add("--fovy", camera.fovy_degrees, "Vertical angle of view in degrees [60]");
-  add("--aspect", camera.aspect, "Width over height of the picture [16:9]");
-  add("--near", camera.near, "Distance of the near plane [from the mesh]");
-  add("--far", camera.far, "Distance of the far plane [from the mesh]");
-  add("--walk", camera.walk, "Number of camera positions of the walk [6]");
+// "640x480". Errors: CLI::ValidationError.
+std::array<double, 2> parse_viewport(const std::string& text) {
+  int width = 0, height = 0;
+  const char* const end = text.data() + text.size();
+  const char* const x = std::from_chars(text.data(), end, width).ptr;
+  if (x != end && *x == 'x' && std::from_chars(x + 1, end, height).ptr == end && width > 0 &&
+      height > 0) {
+    return {static_cast<double>(width), static_cast<double>(height)};
+  }
+  throw CLI::ValidationError(
+      "--viewport", fmt::format("'{}' given, WxH in pixels expected, such as 1920x1080", text));
 }
 
 bool reads_floats(const PrimitiveTextOptions& options) {
   return options.scalar == kFormat<float>.name || options.scalar == kFormat<Counted>.name;
 }
 
-std::vector<std::string> split(std::string_view line) {
-  constexpr std::string_view kBetween = ", \t\n\v\f\r";
-  line = line.substr(0, line.find('#'));
-  std::vector<std::string> words;
-  for (auto i = line.find_first_not_of(kBetween); i != line.npos;
-       i = line.find_first_not_of(kBetween)) {
-    line.remove_prefix(i);
-    words.emplace_back(line.substr(0, line.find_first_of(kBetween)));
-    line.remove_prefix(words.back().size());
-  }
-  return words;
-}
+}  // namespace
 
-// The number rounded once to the format that is read. Errors: InputError.
 double parse_number(const std::string& word, bool as_float, const std::string& place) {
   char* end = nullptr;
   const double value = as_float ? std::strtof(word.c_str(), &end) : std::strtod(word.c_str(), &end);
   if (end != word.c_str() + word.size()) {
-    throw InputError(fmt::format(
-        "{}: '{}' is not a number; expected a decimal such as -0.25 or a hex float such as -0x1p-2",
-        place, word));
+    refuse(place,
+           "'{}' is not a number; expected a decimal such as -0.25 or a hex float such as -0x1p-2",
+           word);
   }
   if (std::isfinite(value)) return value;
-  throw InputError(fmt::format("{}: '{}' is not finite{}; expected a finite number", place, word,
-                               as_float ? " as a float" : ""));
+  refuse(place, "'{}' is not finite{}; expected a finite number", word,
+         as_float ? " as a float" : "");
 }
+
+namespace {
 
 // What a line must hold, in numbers.
 struct LineShape {
@@ -126,31 +110,24 @@ void make_flat(std::vector<double>& values, std::size_t per_vertex,
   }
 }
 
-std::vector<TextPrimitive> read_stream(std::istream& in, const PrimitiveTextOptions& options,
-                                       Primitive primitive) {
-  const std::string source = options.file == "-" ? "standard input" : options.file;
-  const std::size_t dimension = options.space == "view" ? 3 : 4;
-  const LineShape shape{primitive, dimension,
-                        dimension + static_cast<std::size_t>(options.attributes)};
-  std::vector<TextPrimitive> primitives;
-  std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    const std::string place = fmt::format("{}:{}", source, ++number);
-    const std::vector<std::string> words = split(line);
-    if (words.empty()) continue;
-    if (!shape.fits(words.size())) {
-      throw InputError(
-          fmt::format("{}: found {} numbers; {}", place, words.size(), shape.text(options)));
-    }
-    std::vector<double>& values = primitives.emplace_back(TextPrimitive{place, {}}).values;
-    for (const std::string& word : words) {
-      values.push_back(parse_number(word, reads_floats(options), place));
-    }
-    if (primitive == Primitive::polygon) open_ring(values, shape.per_vertex);
-    make_flat(values, shape.per_vertex, options);
+std::vector<TextLine> lines_of(const std::string& source, std::string_view text) {
+  std::vector<TextLine> lines;
+  TextFile file(source, text, {.separator = ',', .comment = '#'});
+  while (file.next_words()) {
+    lines.push_back({file.place(), {file.words().begin(), file.words().end()}});
   }
-  if (in.bad()) throw InputError(fmt::format("{}: can't be read", source));
-  return primitives;
+  return lines;
+}
+
+// All that is left of a stream. Errors: InputError.
+std::string read_all(std::istream& in, const std::string& name) {
+  std::string text;
+  std::array<char, 65536> block;
+  while (in.read(block.data(), block.size()) || in.gcount() > 0) {
+    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (in.bad()) throw InputError(fmt::format("{}: can't be read", name));
+  return text;
 }
 
 // Errors: UsageError.
@@ -165,28 +142,59 @@ std::vector<double> perspective_sides(const std::vector<double>& p) {
   return {-right, right, -top, top, p[2], p[3]};
 }
 
+std::string given_text(const PrimitiveTextOptions& options) {
+  std::vector<std::string> names;
+  for (const auto& [name, numbers] : options.projections) names.push_back(name);
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, " and "));
+}
+
+// The only projection. Errors: UsageError.
+const std::pair<std::string, std::vector<double>>& given_projection(
+    const PrimitiveTextOptions& options) {
+  if (options.projections.size() == 1) return options.projections.front();
+  usage_error(
+      "--space view takes one of --perspective, --frustum, --ortho, --intrinsics and --matrix, {} given",
+      options.projections.empty() ? "none is" : given_text(options) + " are");
+}
+
+Frustum<double> given_frustum(const PrimitiveTextOptions& options) {
+  const auto& [option, v] = given_projection(options);
+  if (option == "--intrinsics") {
+    if (!options.near || !options.far) {
+      usage_error("--intrinsics: it says nothing of depth; give --near and --far too");
+    }
+    return intrinsics_frustum({v[0], v[1], v[2], v[3], v[4], v[5]}, *options.near, *options.far);
+  }
+  if (options.near || options.far) {
+    usage_error("--near and --far go with --intrinsics; {} has its own", option);
+  }
+  return frustum_of_numbers(
+      option == "--ortho" ? ProjectionKind::parallel : ProjectionKind::perspective,
+      option == "--perspective" ? perspective_sides(v) : v);
+}
+
 // What is clipped against in view space. Errors: UsageError.
 Frustum<double> frustum_of(const PrimitiveTextOptions& options) {
-  if (options.projections.size() != 1) {
-    usage_error("--space view takes one of --perspective, --frustum and --ortho, {} are given",
-                options.projections.size());
-  }
-  const auto& [option, given] = options.projections.front();
-  const std::vector<double> v = option == "--perspective" ? perspective_sides(given) : given;
-  Frustum<double> f;
-  f.kind = option == "--ortho" ? ProjectionKind::parallel : ProjectionKind::perspective;
-  f.left = v[0];
-  f.right = v[1];
-  f.bottom = v[2];
-  f.top = v[3];
-  f.near = v[4];
-  f.infinite_far = std::isinf(v[5]);
-  f.far = f.infinite_far ? 0.0 : v[5];
+  Frustum<double> f = given_frustum(options);
   if (reads_floats(options)) f = frustum_cast<double>(frustum_cast<float>(f));
   if (is_valid(f) && std::isfinite(f.left + f.right + f.bottom + f.top + f.near + f.far)) return f;
   usage_error(
       "the frustum left={} right={} bottom={} top={} near={} far={} encloses no volume; expected left < right, bottom < top, near < far, and 0 < near for perspective",
       f.left, f.right, f.bottom, f.top, f.near, f.infinite_far ? HUGE_VAL : f.far);
+}
+
+// The matrix, its numbers rounded as those of primitives are. Errors: UsageError.
+MatrixRows<double> matrix_of(const PrimitiveTextOptions& options) {
+  std::array<double, 16> numbers;
+  std::ranges::copy(given_projection(options).second, numbers.begin());
+  for (double& x : numbers) {
+    if (reads_floats(options)) x = static_cast<float>(x);
+    if (!std::isfinite(x)) {
+      usage_error("--matrix: an entry is {}{}; finite numbers expected", x,
+                  reads_floats(options) ? " in float" : "");
+    }
+  }
+  return rows_of(numbers, options.by_columns);
 }
 
 }  // namespace
@@ -260,6 +268,39 @@ std::string formatted(const Table& table, const std::string& format) {
   return table.to_text();
 }
 
+CLI::Option* add_viewport_option(CLI::App& command,
+                                 std::function<void(const std::array<double, 2>&)> set,
+                                 const std::string& help) {
+  const auto parse = [set = std::move(set)](const std::string& text) { set(parse_viewport(text)); };
+  return command.add_option_function<std::string>("--viewport", parse, help)->type_name("WxH");
+}
+
+void add_projection_options(CLI::App& command, PrimitiveTextOptions& options) {
+  const auto add_projection = [&](const char* name, std::size_t count, const char* type,
+                                  const char* help) {
+    const auto set = [&options, name](const std::vector<double>& numbers) {
+      options.projections.emplace_back(name, numbers);
+    };
+    add_number_list(command, name, count, type, set, help);
+  };
+  add_projection("--perspective", 4, "FOVY,ASPECT,NEAR,FAR",
+                 "Perspective projection, FOVY in degrees; FAR may be inf");
+  add_projection("--frustum", 6, "L,R,B,T,N,F",
+                 "Perspective projection, sides measured on the near plane; F may be inf");
+  add_projection("--ortho", 6, "L,R,B,T,N,F", "Orthographic projection");
+  add_projection("--intrinsics", 6, "FX,FY,CX,CY,W,H", kIntrinsicsHelp);
+  command.add_option("--near", options.near, "Distance of the near plane, with --intrinsics");
+  command.add_option("--far", options.far, "Distance of the far plane, with --intrinsics");
+  const auto set = [&options](const std::array<double, 16>& m) {
+    options.projections.emplace_back("--matrix", std::vector<double>(m.begin(), m.end()));
+  };
+  add_matrix_option(
+      command, "--matrix", set,
+      "Matrix to clip space as given, of any handedness and sign of y, from the space of the input: the camera's, or the world");
+  add_matrix_order(command, options.by_columns);
+  add_depth_option(command, options.depth);
+}
+
 void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options) {
   command
       .add_option("--space", options.space,
@@ -276,22 +317,7 @@ void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options
       .add_option("--provoking", options.provoking,
                   "The vertex that gives the flat attributes: first or last [first]")
       ->check(CLI::IsMember({"first", "last"}));
-  const auto add_projection = [&](const char* name, std::size_t count, const char* type,
-                                  const char* help) {
-    const auto set = [&options, name](const std::vector<double>& numbers) {
-      options.projections.emplace_back(name, numbers);
-    };
-    add_number_list(command, name, count, type, set, help);
-  };
-  add_projection("--perspective", 4, "FOVY,ASPECT,NEAR,FAR",
-                 "Perspective projection, FOVY in degrees; FAR may be inf");
-  add_projection("--frustum", 6, "L,R,B,T,N,F",
-                 "Perspective projection, sides measured on the near plane; F may be inf");
-  add_projection("--ortho", 6, "L,R,B,T,N,F", "Orthographic projection");
-  command
-      .add_option("--depth", options.depth,
-                  "Depth convention: gl [-1, 1], zero_to_one [0, 1] or reversed [1, 0] [gl]")
-      ->check(CLI::IsMember({"gl", "zero_to_one", "reversed"}));
+  add_projection_options(command, options);
   add_option(command, "file", options.file, "FILE", "Primitives, one per line [standard input]");
 }
 
@@ -299,16 +325,26 @@ Batch described_batch(const PrimitiveTextOptions& options) {
   Batch batch{.space = options.space == "view" ? Space::view : Space::clip,
               .attributes = options.attributes};
   if (batch.space == Space::view) {
-    batch.frustum = frustum_of(options);
+    if (given_projection(options).first == "--matrix") {
+      batch.matrix = matrix_of(options);
+    } else {
+      batch.frustum = frustum_of(options);
+    }
   } else if (!options.projections.empty()) {
-    usage_error(
-        "--perspective, --frustum and --ortho go with --space view: clip-space coordinates are projected already");
+    usage_error("{} goes with --space view: clip-space coordinates are projected already",
+                given_text(options));
   }
-  batch.volume.depth = options.depth == "zero_to_one" ? DepthRange::zero_to_one
-                       : options.depth == "reversed"  ? DepthRange::reversed
-                                                      : DepthRange::minus_one_to_one;
+  batch.volume.depth = options.depth;
   batch.frustum.depth = batch.volume.depth;
   return batch;
+}
+
+std::vector<TextLine> read_lines(const std::string& path) {
+  if (path == "-") return lines_of("standard input", read_all(std::cin, "standard input"));
+  errno = 0;
+  std::ifstream file(path);
+  if (!file) throw InputError(fmt::format("{}: can't be opened: {}", path, std::strerror(errno)));
+  return lines_of(path, read_all(file, path));
 }
 
 std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
@@ -317,13 +353,22 @@ std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
     usage_error("--flat: {} asked for, but --attributes gives {} per vertex", options.flat,
                 options.attributes);
   }
-  if (options.file == "-") return read_stream(std::cin, options, primitive);
-  errno = 0;
-  std::ifstream file(options.file);
-  if (!file) {
-    throw InputError(fmt::format("{}: can't be opened: {}", options.file, std::strerror(errno)));
+  const std::size_t dimension = options.space == "view" ? 3 : 4;
+  const LineShape shape{primitive, dimension,
+                        dimension + static_cast<std::size_t>(options.attributes)};
+  std::vector<TextPrimitive> primitives;
+  for (const TextLine& line : read_lines(options.file)) {
+    if (!shape.fits(line.words.size())) {
+      refuse(line.place, "found {} numbers; {}", line.words.size(), shape.text(options));
+    }
+    std::vector<double>& values = primitives.emplace_back(TextPrimitive{line.place, {}}).values;
+    for (const std::string& word : line.words) {
+      values.push_back(parse_number(word, reads_floats(options), line.place));
+    }
+    if (primitive == Primitive::polygon) open_ring(values, shape.per_vertex);
+    make_flat(values, shape.per_vertex, options);
   }
-  return read_stream(file, options, primitive);
+  return primitives;
 }
 
 std::string_view default_clipper(Primitive primitive) {

@@ -61,6 +61,27 @@ CLI::Option* add_number_list(CLI::App& command, const std::string& name, std::si
                              std::function<void(const std::vector<double>&)> set,
                              const std::string& help);
 
+// What --intrinsics says in every command.
+inline constexpr const char* kIntrinsicsHelp =
+    "Focal lengths, principal point and size of the image in px, as OpenCV has them: y down, pixel centres at whole numbers";
+
+// A frustum of L,R,B,T,N,F; F may be infinite.
+Frustum<double> frustum_of_numbers(ProjectionKind kind, const std::vector<double>& numbers);
+
+// An option of 16 numbers, separated by commas, blanks or brackets, or of a file that holds them.
+void add_matrix_option(CLI::App& command, const std::string& name,
+                       std::function<void(const std::array<double, 16>&)> set,
+                       const std::string& help, const std::string& group = "");
+// --matrix-order row|column.
+void add_matrix_order(CLI::App& command, bool& by_columns, const std::string& group = "");
+// --depth gl|zero_to_one|reversed.
+CLI::Option* add_depth_option(CLI::App& command, DepthRange& depth);
+
+// Where the camera is: --eye, --target, --up, --orientation, --pose, --axes, --camera.
+void add_place_options(CLI::App& command, CameraOptions& camera);
+// The same and what it sees.
+void add_camera_options(CLI::App& command, CameraOptions& camera);
+
 // --scene, --seed, --quick, --sample and the camera.
 void add_scene_options(CLI::App& command, Selection& selection);
 
@@ -80,6 +101,11 @@ void print_table(const Table& table, bool json, const std::optional<std::string>
 void add_format_option(CLI::App& command, std::string& format);
 std::string formatted(const Table& table, const std::string& format);
 
+// --viewport WxH, in px.
+CLI::Option* add_viewport_option(CLI::App& command,
+                                 std::function<void(const std::array<double, 2>&)> set,
+                                 const std::string& help);
+
 // Primitives as text, and the options that say what they mean.
 //
 // A line holds one primitive: a point, a segment, a triangle, or a polygon of three vertices or
@@ -88,24 +114,41 @@ std::string formatted(const Table& table, const std::string& format);
 // comment; empty lines are skipped. A number is rounded once, to float for the scalars float and
 // counting and to double for the others.
 
+// A line that holds anything: its words.
+struct TextLine {
+  std::string place;  // "file:line"
+  std::vector<std::string> words;
+};
+
+// Of a file, or "-": standard input. Errors: InputError if it can't be read.
+std::vector<TextLine> read_lines(const std::string& path);
+
+// The number, rounded once to float or double. Errors: InputError naming the place.
+double parse_number(const std::string& word, bool as_float, const std::string& place);
+
 struct PrimitiveTextOptions {
   std::string space = "view";
   std::string scalar = "float";
   int attributes = 0;
-  // --perspective, --frustum and --ortho as given.
+  // --perspective, --frustum, --ortho, --intrinsics and --matrix as given.
   std::vector<std::pair<std::string, std::vector<double>>> projections;
-  std::string depth = "gl";
+  bool by_columns = false;          // the numbers of --matrix
+  std::optional<double> near, far;  // of --intrinsics
+  DepthRange depth = DepthRange::minus_one_to_one;
   int flat = 0;                     // so many of the last attributes have one value per primitive:
   std::string provoking = "first";  // that of its first or last vertex
   std::string file = "-";           // "-": standard input
 };
 
+// What is clipped against: --perspective and so on, and --depth.
+void add_projection_options(CLI::App& command, PrimitiveTextOptions& options);
+// The same and space, scalar, attributes and file.
 void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options);
 
-// A batch without its primitives: space, frustum, depth range and attributes. The frustum's numbers
-// are rounded as those of primitives are.
-// Errors: UsageError unless exactly one of --perspective, --frustum and --ortho is given for view
-// space and none for clip space, or if it encloses no volume.
+// A batch without its primitives: space, frustum or matrix, depth range and attributes. The numbers
+// of frustum and matrix are rounded as those of primitives are.
+// Errors: UsageError unless exactly one projection is given for view space and none for clip space,
+// or if a frustum encloses no volume.
 Batch described_batch(const PrimitiveTextOptions& options);
 
 struct TextPrimitive {

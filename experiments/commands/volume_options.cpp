@@ -97,6 +97,11 @@ void check_takes(const Contestant& contestant, const Batch& batch) {
     usage_error("--clipper: {} starts in view space, so clip-space coordinates are not applicable",
                 contestant.clipper);
   }
+  if (batch.matrix && !contestant.takes_clip_space) {
+    usage_error(
+        "--clipper: {} cuts against the planes of a frustum, so a --matrix is not applicable; take one that starts in clip space, such as homogeneous/sutherland_hodgman",
+        contestant.clipper);
+  }
   const bool depth_clamp = bool{batch.volume.depth_clamp} && !contestant.promise.depth_clamp;
   usage_error("--clipper: {} does not take {}", contestant.clipper,
               depth_clamp ? "--depth-clamp" : "--clip-distances and --plane");

@@ -14,8 +14,12 @@ double Batch::number(std::size_t i) const {
 }
 
 Batch batch_of(const View& view, std::span<const SceneTriangle> triangles) {
-  return batch_of(view.frustum, triangles);
+  Batch batch = batch_of(view.frustum, triangles);
+  if (view.matrix) batch.matrix = matrix_cast<double>(*view.matrix);
+  return batch;
 }
+
+reference::Truth truth_of(const View& view) { return reference::truth_of(batch_of(view, {})); }
 
 std::vector<Batch> batches_of(std::span<const SampledView> views) {
   std::vector<Batch> batches;

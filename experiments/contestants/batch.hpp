@@ -30,6 +30,9 @@ struct PointOptions {
 struct Batch {
   Space space = Space::view;     // view or clip
   Frustum<double> frustum = {};  // of view space
+  // From view space to clip space, instead of the frustum: each contestant rounds it to its scalar
+  // and starts with clip coordinates.
+  std::optional<MatrixRows<double>> matrix = {};
   ClipVolume volume = {};
   int vertices = 3;    // of a primitive: 1, 2 or 3; 0: polygons, see `ends`
   int attributes = 0;  // per vertex
@@ -79,6 +82,9 @@ Batch batch_of(const ClipVolume& volume, std::span<const Simplex<Space::clip, T,
 // The triangles of a view; of several views a batch each.
 Batch batch_of(const View& view, std::span<const SceneTriangle> triangles);
 std::vector<Batch> batches_of(std::span<const SampledView> views);
+
+// What the triangles of a view are clipped against: its exact frustum, or its matrix as given.
+reference::Truth truth_of(const View& view);
 
 // The vertices of a primitive as the exact reference takes them.
 std::vector<reference::InputVertex> input_vertices(const Batch& batch, std::size_t primitive);

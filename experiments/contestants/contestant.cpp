@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "experiments/contestants/made.hpp"
+#include "experiments/machine/errors.hpp"
 #include "experiments/table/row.hpp"
 
 namespace clipscope::experiments {
@@ -11,7 +12,8 @@ namespace clipscope::experiments {
 bool Contestant::takes(const Batch& batch) const {
   ClipVolume volume = batch.volume;
   volume.clip_distances += static_cast<int>(batch.planes.size());
-  return vertices == batch.vertices && (batch.space == Space::view || takes_clip_space) &&
+  const bool from_view = batch.space == Space::view && !batch.matrix;
+  return vertices == batch.vertices && (from_view || takes_clip_space) &&
          is_applicable(promise, volume);
 }
 
@@ -29,6 +31,11 @@ std::span<const Contestant> all_contestants() {
 }
 
 Answers clip(const Contestant& contestant, const Batch& batch) {
+  if (batch.matrix && !contestant.takes_clip_space) {
+    throw UsageError(fmt::format(
+        "--clipper: {} starts from a frustum, so a --matrix is not applicable; expected one that starts in clip space, such as homogeneous/sutherland_hodgman",
+        contestant.clipper));
+  }
   const std::unique_ptr<Runner> runner = contestant.prepare(std::span(&batch, 1));
   runner->clip(0, 0, batch.size());
   return runner->answers();

@@ -75,7 +75,7 @@ using Contestants = std::vector<const Contestant*>;
 // All there are: by scalar, primitive and contract, clippers in the order of spaces/clippers.hpp.
 std::span<const Contestant> all_contestants();
 
-// The answers to all primitives of a batch. Pre-condition: the contestant takes it.
+// The answers to all primitives of a batch that is taken. UsageError: its matrix is not.
 Answers clip(const Contestant& contestant, const Batch& batch);
 
 // "homogeneous/sutherland_hodgman float", in a stage with build and contract.

@@ -81,6 +81,16 @@ Projection<T> projection_from(const Frustum<double>& f) {
       f.infinite_far, scalar_from<T>(f.shear_x), scalar_from<T>(f.shear_y), f.depth});
 }
 
+// A matrix whose entries are rounded to T once.
+template <class T>
+MatrixRows<T> matrix_from(const MatrixRows<double>& rows) {
+  MatrixRows<T> r;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k) r[i][k] = scalar_from<T>(rows[i][k]);
+  }
+  return r;
+}
+
 using clipscope::for_each_type;
 using clipscope::is_finite;
 

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "experiments/contestants/made.hpp"
@@ -125,6 +127,7 @@ class BlockRunner final : public Runner {
       part.attributes = batch.attributes + static_cast<int>(batch.planes.size());
       part.size = point_size_in<T>(batch);
       part.projection = projection_in<T>(batch);
+      if (batch.matrix) part.matrix = matrix_from<T>(*batch.matrix);
       if (batch.space == Space::view) part.view = simplices_in<Space::view, T, K, N>(batch);
       if (batch.space == Space::clip) part.clip = simplices_in<Space::clip, T, K, N>(batch);
     }
@@ -133,7 +136,14 @@ class BlockRunner final : public Runner {
   void clip(std::size_t batch, std::size_t first, std::size_t count) override {
     last_ = &parts_[batch];
     out_.clear();
-    if (!last_->view.empty()) {
+    if (last_->matrix) {
+      transformed_.clear();
+      for (const auto& simplex : std::span(last_->view).subspan(first, count)) {
+        transformed_.push_back(to_clip(*last_->matrix, simplex));
+      }
+      clips_.clip(last_->projection.volume, last_->size, std::span(std::as_const(transformed_)),
+                  out_);
+    } else if (!last_->view.empty()) {
       clips_.view(last_->projection, last_->size, std::span(last_->view).subspan(first, count),
                   out_);
     } else if (!last_->clip.empty()) {
@@ -151,7 +161,8 @@ class BlockRunner final : public Runner {
 
  private:
   struct Part {
-    Projection<T> projection = {};  // its volume is that of both spaces
+    Projection<T> projection = {};             // its volume is that of both spaces
+    std::optional<MatrixRows<T>> matrix = {};  // instead of the projection
     PointSize<T> size = {};
     int attributes = 0;
     std::vector<Simplex<Space::view, T, K, N>> view = {};
@@ -161,6 +172,7 @@ class BlockRunner final : public Runner {
   BlockClips<T, K, N, kOut> clips_;
   std::vector<Part> parts_;
   const Part* last_ = nullptr;
+  std::vector<Simplex<Space::clip, T, K, N>> transformed_;  // by the last matrix
   PolygonStream<T, K, kOut> out_;
 };
 
@@ -191,7 +203,9 @@ class PolygonRunner final : public Runner {
     attributes_ = batch.attributes + static_cast<int>(batch.planes.size());
     const Projection<T> projection = projection_in<T>(batch);
     for (std::size_t i = first; i < first + count; ++i) {
-      if (batch.space == Space::view) {
+      if (batch.matrix) {
+        keep(clip_(projection.volume, transformed(batch, i)));
+      } else if (batch.space == Space::view) {
         keep(clip_(projection, polygon<Space::view>(batch, i)));
       } else {
         keep(clip_(projection.volume, polygon<Space::clip>(batch, i)));
@@ -215,6 +229,12 @@ class PolygonRunner final : public Runner {
     for (std::size_t v = i == 0 ? 0 : batch.ends[i - 1]; v < batch.ends[i]; ++v) {
       vertices.push_back(read(v));
     }
+    return vertices;
+  }
+  static std::vector<ClipVertex<T, kRunTime>> transformed(const Batch& batch, std::size_t i) {
+    const MatrixRows<T> matrix = matrix_from<T>(*batch.matrix);
+    std::vector<ClipVertex<T, kRunTime>> vertices;
+    for (const auto& v : polygon<Space::view>(batch, i)) vertices.push_back(to_clip(matrix, v));
     return vertices;
   }
   void keep(std::span<const NdcVertex<T, kRunTime>> polygon) {

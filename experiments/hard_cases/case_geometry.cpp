@@ -66,7 +66,7 @@ CaseGeometry case_geometry(const HardCase& hard_case, const reference::ExactPoly
                            const std::vector<std::array<double, 4>>& answer) {
   CaseGeometry g;
   const reference::Truth volume = truth_of(hard_case);
-  const bool in_view = hard_case.space == Space::view;
+  const bool in_view = has_frustum(hard_case);
   for (const reference::InputVertex& v : hard_case.vertices) {
     const auto& p = v.position;
     const ExactPosition& clip = g.input_clip.emplace_back(volume.clip_position(v));

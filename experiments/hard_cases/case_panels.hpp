@@ -27,7 +27,7 @@ struct CaseSketch {
   VectorPage& page;
   CaseGeometry geometry;
 
-  bool in_view_space() const { return picture.hard_case.space == Space::view; }
+  bool in_view_space() const { return has_frustum(picture.hard_case); }
 };
 
 // Two panels, one above the other, with the top left corner of the first frame.

@@ -100,7 +100,7 @@ std::string full_number(double value) {
 
 // Coordinates as given; in view space w too, since its sign matters. The rest is counted.
 void draw_table(CaseSketch& s, Spot corner) {
-  const bool view = s.in_view_space();
+  const bool view = s.picture.hard_case.space == Space::view;
   const std::array<std::string, 4> names = {"x", "y", "z", view ? "w (clip)" : "w"};
   // The computed w has fewer digits.
   const auto column = [&](std::size_t c) {
@@ -188,7 +188,7 @@ std::vector<LegendEntry> legend_of(const HardCase& c) {
     entries.push_back({[](VectorPage& page, Spot at) { draw_line_sample(page, at, kDividedPen); },
                        fmt::format("the whole {} after the divide", primitive)});
   }
-  if (c.space == Space::view && c.frustum.kind == ProjectionKind::perspective) {
+  if (has_frustum(c) && c.frustum.kind == ProjectionKind::perspective) {
     entries.push_back({draw_eye, "the eye"});
   }
   return entries;

@@ -23,6 +23,11 @@ constexpr int kRoom = 40;  // |x| in [2^-kRoom, 2^kRoom] or 0: products neither 
 using Numbers = std::vector<double>;  // of a vertex: position, attributes
 using Triangle = std::array<Numbers, 3>;
 
+bool has_room(const Numbers& numbers) {
+  return std::ranges::all_of(numbers,
+                             [](double x) { return x == 0 || std::abs(std::ilogb(x)) <= kRoom; });
+}
+
 // Asks a contestant about triangles like the one of a batch.
 class Asked {
  public:
@@ -46,13 +51,16 @@ class Asked {
     for (double* length : {&f.near, &f.far, &f.left, &f.right, &f.bottom, &f.top}) {
       *length = std::ldexp(*length, exponent);
     }
+    if (batch.matrix) {
+      for (Vec4<double>& row : *batch.matrix) row[3] = std::ldexp(row[3], exponent);
+    }
     return experiments::clip(contestant_, batch);
   }
   // How much 1/w shrinks when all is scaled: by as much as w grows, which is 1 for a parallel
   // projection.
   int inv_w_exponent() const {
-    const bool is_parallel =
-        batch_.space == Space::view && batch_.frustum.kind != ProjectionKind::perspective;
+    const bool is_parallel = batch_.space == Space::view && !batch_.matrix &&
+                             batch_.frustum.kind != ProjectionKind::perspective;
     return is_parallel ? 0 : kScaleExponent;
   }
   // Whether the first two vertices have the distance 0 from some plane, in the contestant's scalar.
@@ -62,6 +70,15 @@ class Asked {
         return distance<T>(plane, 0) == T(0) && distance<T>(plane, 1) == T(0);
       });
     });
+  }
+  // Whether neither the triangle nor a matrix has numbers whose products over- or underflow.
+  bool has_room() const {
+    const auto row_has_room = [](const Vec4<double>& row) {
+      return experiments::has_room(Numbers{row[0], row[1], row[2], row[3]});
+    };
+    const auto vertex_has_room = [](const Numbers& v) { return experiments::has_room(v); };
+    return std::ranges::all_of(triangle(), vertex_has_room) &&
+           (!batch_.matrix || std::ranges::all_of(*batch_.matrix, row_has_room));
   }
   std::size_t dimension() const { return static_cast<std::size_t>(batch_.dimension()); }
   int attributes() const { return batch_.attributes; }
@@ -77,6 +94,10 @@ class Asked {
     };
     if (batch_.space == Space::view) {
       const ViewVertex<T, 0> v{{at(0), at(1), at(2)}, {}};
+      if (batch_.matrix) {
+        return signed_distance(batch_.volume.depth, plane,
+                               to_clip(matrix_from<T>(*batch_.matrix), v));
+      }
       return signed_distance(projection_from<T>(batch_.frustum).frustum, plane, v);
     }
     return signed_distance(batch_.volume.depth, plane,
@@ -90,13 +111,6 @@ class Asked {
 bool is_total(const Answers& answers) {
   return !answers.overflowed && std::ranges::all_of(answers[0], [](const VertexView& v) {
     return is_finite(v[0]) && is_finite(v[1]) && is_finite(v[2]) && !is_nan(v[3]);
-  });
-}
-
-bool has_room(const Triangle& triangle) {
-  return std::ranges::all_of(triangle, [](const Numbers& v) {
-    return std::ranges::all_of(v,
-                               [](double x) { return x == 0 || std::abs(std::ilogb(x)) <= kRoom; });
   });
 }
 
@@ -224,7 +238,7 @@ std::string broken_bits(const Contestant& contestant, const Batch& batch) {
       return "another vertex first gives other bits";
     }
   }
-  if (!has_room(triangle)) return {};
+  if (!asked.has_room()) return {};
   if (promise.scale_invariant) {
     const Answers larger = asked.clip(scaled(triangle, asked.dimension()), kScaleExponent);
     if (!same_scaled(answers[0], larger[0], asked.inv_w_exponent())) {

@@ -209,6 +209,17 @@ void judge_coverage(const reference::Truth& truth, const PromiseChecker::Setting
   }
 }
 
+// By a product and three sums, see the header.
+constexpr double kMatrixUlps = 4;
+
+constexpr MatrixRows<double> kIdentityRows = {Vec4<double>(1, 0, 0, 0), Vec4<double>(0, 1, 0, 0),
+                                              Vec4<double>(0, 0, 1, 0), Vec4<double>(0, 0, 0, 1)};
+
+MatrixRows<double> rows_of(const Projection<double>& p) {
+  return {Vec4<double>(p.x.own, 0, p.x.z, p.x.one), Vec4<double>(0, p.y.own, p.y.z, p.y.one),
+          Vec4<double>(0, 0, p.z.z, p.z.one), Vec4<double>(0, 0, p.w.z, p.w.one)};
+}
+
 Corners corners_of(const reference::Truth& truth, InputVertices vertices) {
   Corners corners;
   for (const InputVertex& v : vertices) {
@@ -314,40 +325,49 @@ Case<N> make_case(const Promise& promise, const PromiseChecker::Setting& s) {
 
 }  // namespace
 
+PromiseChecker::PromiseChecker(reference::Truth truth, const MatrixRows<double>& rows,
+                               const ClipVolume& volume)
+    : truth_(std::move(truth)), rows_(rows), volume_(volume) {}
+
 PromiseChecker::PromiseChecker(const Frustum<double>& frustum)
     : PromiseChecker(frustum, ClipVolume{.depth = frustum.depth}) {}
 
-PromiseChecker::PromiseChecker(const Frustum<double>& frustum, const ClipVolume& volume)
-    : truth_(reference::Truth::of_frustum(frustum, volume)),
-      projection_(frustum),
-      volume_(volume),
-      view_input_(true) {}
+PromiseChecker::PromiseChecker(const Frustum<double>& f, const ClipVolume& volume)
+    : PromiseChecker(reference::Truth::of_frustum(f, volume), rows_of(Projection<double>(f)),
+                     volume) {
+  longest_ = std::max({std::abs(f.left), std::abs(f.right), std::abs(f.bottom), std::abs(f.top),
+                       std::abs(f.near), 1.0});
+}
 
 PromiseChecker::PromiseChecker(const ClipVolume& volume)
-    : truth_(reference::Truth::of_clip(volume)), volume_(volume), view_input_(false) {}
+    : PromiseChecker(reference::Truth::of_clip(volume), kIdentityRows, volume) {}
+
+PromiseChecker::PromiseChecker(const Batch& batch)
+    : PromiseChecker(batch.space == Space::clip ? PromiseChecker(batch.volume)
+                     : batch.matrix
+                         ? PromiseChecker(reference::truth_of(batch), *batch.matrix, batch.volume)
+                         : PromiseChecker(batch.frustum, batch.volume)) {
+  by_matrix_ = batch.matrix.has_value();
+}
 
 // M of one vertex: the largest sum of magnitudes of the terms that make up a clip coordinate.
 double PromiseChecker::coordinate_magnitude(const reference::InputVertex& vertex) const {
-  const auto& p = vertex.position;
-  if (!view_input_) {
-    return std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2]), std::abs(p[3])});
+  double largest = 0;
+  for (const Vec4<double>& row : rows_) {
+    double sum = 0;
+    for (int i = 0; i < 4; ++i) {
+      sum += std::abs(row[i] * vertex.position[static_cast<std::size_t>(i)]);
+    }
+    largest = std::max(largest, sum);
   }
-  const auto terms = [&](const ProjectionRow<double>& row, double own) {
-    return std::abs(row.own * own) + std::abs(row.z * p[2]) + std::abs(row.one);
-  };
-  return std::max({terms(projection_.x, p[0]), terms(projection_.y, p[1]),
-                   terms(projection_.z, 0.0), terms(projection_.w, 0.0)});
+  return largest;
 }
 
 // Bounds what the terms of plane distances in view space come to, in front of their sums.
 double PromiseChecker::largest_intermediate(const reference::InputVertex& vertex) const {
-  const double m = coordinate_magnitude(vertex);
-  if (!view_input_) return m;
-  const Frustum<double>& f = projection_.frustum;
-  const double length = std::max({std::abs(f.left), std::abs(f.right), std::abs(f.bottom),
-                                  std::abs(f.top), std::abs(f.near), 1.0});
   const auto& p = vertex.position;
-  return std::max(m, length * std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}));
+  return std::max(coordinate_magnitude(vertex),
+                  longest_ * std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}));
 }
 
 // Whether the promise speaks of the primitive at all: its numbers stay in the format, and the
@@ -390,7 +410,7 @@ PromiseCheck PromiseChecker::check_distances(const Promise& promise, const Setti
 PromiseCheck PromiseChecker::check(const Promise& promise, InputVertices vertices,
                                    int attribute_count, const PolygonView& polygon) const {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  if (promise.correctly_rounded && polygon.format().is_float()) {
+  if (promise.correctly_rounded && !by_matrix_ && polygon.format().is_float()) {
     const std::string reason = misrounded(truth_, vertices, attribute_count, polygon);
     if (!reason.empty()) return {PromiseVerdict::broken, kInfinite, reason};
   }
@@ -410,7 +430,7 @@ PromiseCheck PromiseChecker::check(const Promise& promise, InputVertices vertice
   if (promise.amplification == Promise::Amplification::w_ratio && s.w.largest > 0) {
     s.unit *= s.w.largest / s.w.smallest;
   }
-  s.tolerance = promise.ulps * s.unit;
+  s.tolerance = (promise.ulps + (by_matrix_ ? kMatrixUlps : 0)) * s.unit;
   if (!is_spoken_of(promise, s, polygon)) return {PromiseVerdict::outside_domain, 0, ""};
   if (!is_liftable(polygon)) {
     return {PromiseVerdict::broken, kInfinite,

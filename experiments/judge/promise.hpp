@@ -41,9 +41,16 @@ struct PromiseCheck {
 };
 
 // What a promise is checked against: the volume in exact numbers, and the same volume in doubles
-// for magnitudes. For view-space input give the frustum, for clip-space input the volume alone.
+// for magnitudes. For view-space input give the frustum, for clip-space input the volume alone, or
+// a batch, which says what its primitives are clipped against.
+//
+// Where a batch has a matrix, clippers are given clip coordinates that were rounded on their way.
+// A product and three sums add 4 u M to the backward error of any of them (Higham, lemma 3.1); what
+// holds to the bit of the coordinates given holds of these, not of the exact ones, so that nobody
+// is held to correct rounding there.
 class PromiseChecker {
  public:
+  explicit PromiseChecker(const Batch& batch);
   explicit PromiseChecker(const Frustum<double>& frustum);
   PromiseChecker(const Frustum<double>& frustum, const ClipVolume& volume);
   explicit PromiseChecker(const ClipVolume& volume);
@@ -70,10 +77,13 @@ class PromiseChecker {
   double coordinate_magnitude(const reference::InputVertex& vertex) const;
   double largest_intermediate(const reference::InputVertex& vertex) const;
 
+  PromiseChecker(reference::Truth truth, const MatrixRows<double>& rows, const ClipVolume& volume);
+
   reference::Truth truth_;
-  Projection<double> projection_;
+  MatrixRows<double> rows_;  // from the input's space to clip space
   ClipVolume volume_;
-  bool view_input_;
+  double longest_ = 0;  // number of a frustum, in whose planes view-space clippers cut
+  bool by_matrix_ = false;
 };
 
 // Does a clipper keep what it promises to the bit (spaces/clipper.hpp): total, watertight,

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -33,21 +35,71 @@ bool are_parallel(const dvec3& a, const dvec3& b) {
   return glm::length(glm::cross(a, b)) <= kParallelSine * glm::length(a) * glm::length(b);
 }
 
-void require_positive(const char* option, const std::optional<double>& v) {
-  if (v && !(*v > 0 && std::isfinite(*v))) {
-    throw UsageError(fmt::format("{}: {} given; it takes a finite number > 0", option, *v));
-  }
-}
-
-void check(const CameraOptions& options) {
+void check_numbers(const CameraOptions& options) {
   for (const auto& [option, v] :
        {std::pair{"--eye", options.eye}, {"--target", options.target}, {"--up", options.up}}) {
     if (v && !(std::isfinite(v->x) && std::isfinite(v->y) && std::isfinite(v->z))) {
       throw UsageError(fmt::format("{}: {} is not a finite point", option, text(*v)));
     }
   }
-  require_positive("--near", options.near);
-  require_positive("--far", options.far);
+  for (const auto& [option, v] : {std::pair{"--near", options.near}, {"--far", options.far}}) {
+    if (v && !(*v > 0)) {
+      throw UsageError(fmt::format("{}: {} given; it takes a number > 0", option, *v));
+    }
+  }
+}
+
+// The first option of the list that was given; null if none was.
+using Given = std::pair<const char*, bool>;
+const char* first_given(std::initializer_list<Given> options) {
+  const auto found = std::ranges::find_if(options, [](const Given& g) { return g.second; });
+  return found == options.end() ? nullptr : found->first;
+}
+
+void refuse_together(const char* option, const char* other) {
+  if (other == nullptr) return;
+  throw UsageError(
+      fmt::format("{}: it does not go together with {}; leave one out", option, other));
+}
+
+// What says where the camera stands, and what it sees, must not be said twice.
+void check_together(const CameraOptions& o) {
+  const CameraOptions unset;
+  const Given target{"--target", o.target.has_value()}, up{"--up", o.up.has_value()};
+  const Given lens[] = {{"--fovy", o.fovy_degrees != unset.fovy_degrees},
+                        {"--aspect", o.aspect != unset.aspect}};
+  const Given near{"--near", o.near.has_value()}, far{"--far", o.far.has_value()};
+  if (o.orientation) refuse_together("--orientation", first_given({target, up}));
+  if (o.pose) {
+    refuse_together("--pose", first_given({{"--eye", o.eye.has_value()},
+                                           {"--orientation", o.orientation.has_value()},
+                                           target,
+                                           up}));
+  }
+  if (o.intrinsics) refuse_together("--intrinsics", first_given({lens[0], lens[1]}));
+  const Given intrinsics{"--intrinsics", o.intrinsics.has_value()};
+  if (o.frustum) {
+    refuse_together("--frustum", first_given({lens[0], lens[1], near, far, intrinsics}));
+  }
+  if (o.matrix) {
+    refuse_together(
+        "--matrix",
+        first_given(
+            {lens[0], lens[1], near, far, intrinsics, {"--frustum", o.frustum.has_value()}}));
+  }
+  const char* placeless = first_given({{"--frustum", o.frustum.has_value()}, intrinsics});
+  if (placeless != nullptr && !o.eye && !o.pose) {
+    throw UsageError(fmt::format(
+        "{}: it says what the camera sees, not where it is; give --eye or --pose too", placeless));
+  }
+  if (o.orientation && !o.eye) {
+    throw UsageError("--orientation: it turns a camera that stands somewhere; give --eye too");
+  }
+}
+
+void check(const CameraOptions& options) {
+  check_numbers(options);
+  check_together(options);
   if (options.up == dvec3(0)) throw UsageError("--up: (0, 0, 0) given; it takes a direction");
   if (options.walk < 1) {
     throw UsageError(
@@ -83,16 +135,33 @@ struct Look {
   dvec3 eye, target;
 };
 
-// `depth` is where the far plane lies by default.
-View make_view(std::string label, const Subject& subject, const Look& look, double depth) {
+// What the camera sees; `depth` is where the far plane lies by default.
+Frustum<float> lens_of(const Subject& subject, double depth) {
   const CameraOptions& options = subject.options;
+  if (options.frustum) return rounded_frustum(*options.frustum, "--frustum");
   const double near = options.near.value_or(std::max(subject.near, depth / kMostFarPerNear));
   const double far = options.far.value_or(std::max(depth, 2 * near));
-  Frustum<float> frustum = perspective_frustum(options.fovy_degrees, options.aspect, near, far);
-  frustum.depth = options.depth;
+  if (options.intrinsics) {
+    return rounded_frustum(intrinsics_frustum(*options.intrinsics, near, far), "--intrinsics");
+  }
+  return perspective_frustum(options.fovy_degrees, options.aspect, near, far);
+}
+
+View view_of(std::string label, const glm::dmat4& view_from_world, const Subject& subject,
+             double depth) {
+  View view{std::move(label), view_from_world, lens_of(subject, depth)};
+  view.frustum.depth = subject.options.depth;
+  return view;
+}
+
+glm::dmat4 look_at(const Look& look, const std::optional<dvec3>& up) {
   const dvec3 y(0, 1, 0), z(0, 0, 1);
-  const dvec3 up = options.up.value_or(are_parallel(look.target - look.eye, y) ? z : y);
-  return {std::move(label), look_at(look.eye, look.target, up), frustum};
+  return experiments::look_at(look.eye, look.target,
+                              up.value_or(are_parallel(look.target - look.eye, y) ? z : y));
+}
+
+View make_view(std::string label, const Subject& subject, const Look& look, double depth) {
+  return view_of(std::move(label), look_at(look, subject.options.up), subject, depth);
 }
 
 // The digits of n in the base, mirrored at the point: evenly spread over (0, 1) as n counts up.
@@ -180,42 +249,55 @@ View walk_view(int n, const Subject& subject) {
   return make_view(fmt::format("{}: {}", n, name), subject, look, depth * subject.reach(look.eye));
 }
 
-View single_view(const dvec3& eye, const Subject& subject) {
-  const dvec3& target = subject.centre;
-  if (eye == target && !subject.options.target) {
-    throw UsageError(
-        fmt::format("--eye: {} is the centre of the mesh: give a --target", text(eye)));
+// World from camera.
+MatrixRows<double> pose_of(const dvec3& eye, const std::array<double, 4>& q) {
+  const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+  if (!(length > 0 && std::isfinite(length))) {
+    throw UsageError(fmt::format(
+        "--orientation: {},{},{},{} is no rotation; finite numbers that are not all 0 expected",
+        q[0], q[1], q[2], q[3]));
   }
-  return make_view("eye", subject, {eye, target},
-                   1.01 * std::max(subject.reach(eye), glm::length(target - eye)));
+  const double x = q[0] / length, y = q[1] / length, z = q[2] / length, w = q[3] / length;
+  return {glm::dvec4(1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), eye.x),
+          glm::dvec4(2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w), eye.y),
+          glm::dvec4(2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y), eye.z),
+          glm::dvec4(0, 0, 0, 1)};
+}
+
+// Where the camera stands; none where nothing says so.
+struct Stand {
+  std::string label;
+  glm::dmat4 view_from_world;
+  dvec3 eye;
+};
+std::optional<Stand> stand_of(const CameraOptions& o, const dvec3& centre) {
+  if (o.pose || o.orientation) {
+    const MatrixRows<double> pose =
+        o.pose ? rows_of(*o.pose, o.by_columns) : pose_of(*o.eye, *o.orientation);
+    return Stand{"pose", view_of_pose(pose, o.axes), {pose[0][3], pose[1][3], pose[2][3]}};
+  }
+  if (!o.eye) return {};
+  if (*o.eye == centre && !o.target) {
+    throw UsageError(
+        fmt::format("--eye: {} is the centre of the mesh: give a --target", text(*o.eye)));
+  }
+  return Stand{"eye", look_at({*o.eye, centre}, o.up), *o.eye};
+}
+
+// The matrix in float.
+MatrixRows<float> given_matrix(const CameraOptions& options) {
+  const MatrixRows<float> rows = matrix_cast<float>(rows_of(*options.matrix, options.by_columns));
+  for (const Vec4<float>& row : rows) {
+    for (int k = 0; k < 4; ++k) {
+      if (std::isfinite(row[k])) continue;
+      throw UsageError(
+          fmt::format("--matrix: an entry is {} in float; finite numbers expected", row[k]));
+    }
+  }
+  return rows;
 }
 
 }  // namespace
-
-Frustum<float> perspective_frustum(double fovy_degrees, double aspect, double near, double far) {
-  if (!(fovy_degrees > 0 && fovy_degrees < 180)) {
-    throw UsageError(fmt::format(
-        "--fovy: {} given; it takes degrees between 0 and 180, both excluded", fovy_degrees));
-  }
-  require_positive("--aspect", aspect);
-  require_positive("--near", near);
-  require_positive("--far", far);
-  if (!(near < far)) {
-    throw UsageError(
-        fmt::format("--near: {} given; it must be less than far, which is {}", near, far));
-  }
-  const double height = near * std::tan(fovy_degrees * std::numbers::pi / 360);
-  const auto top = static_cast<float>(height), right = static_cast<float>(height * aspect);
-  const Frustum<float> f{
-      ProjectionKind::perspective, -right, right, -top, top, static_cast<float>(near),
-      static_cast<float>(far)};
-  if (!is_valid(f) || !std::isfinite(f.top) || !std::isfinite(f.right) || !std::isfinite(f.far)) {
-    throw UsageError(fmt::format(
-        "--near: {} and far {} with --fovy {} and --aspect {} enclose no volume once rounded to float; move near and far apart",
-        near, far, fovy_degrees, aspect));
-  }
-  return f;
-}
 
 glm::dmat4 look_at(const dvec3& eye, const dvec3& target, const dvec3& up) {
   const dvec3 forward = target - eye;
@@ -235,11 +317,55 @@ glm::dmat4 look_at(const dvec3& eye, const dvec3& target, const dvec3& up) {
   return m;
 }
 
+MatrixRows<double> rows_of(const std::array<double, 16>& numbers, bool by_columns) {
+  MatrixRows<double> rows;
+  for (std::size_t i = 0; i < 16; ++i) {
+    const std::size_t row = by_columns ? i % 4 : i / 4;
+    rows[row][static_cast<int>(by_columns ? i / 4 : i % 4)] = numbers[i];
+  }
+  return rows;
+}
+
+glm::dmat4 view_of_pose(const MatrixRows<double>& rows, CameraAxes axes) {
+  glm::dmat4 world_from_camera;
+  bool finite = true;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      const bool flipped = axes == CameraAxes::cv && (column == 1 || column == 2);
+      const double entry = rows[static_cast<std::size_t>(row)][column];
+      finite = finite && std::isfinite(entry);
+      world_from_camera[column][row] = flipped ? 0.0 - entry : entry;
+    }
+  }
+  if (!finite || rows[3] != glm::dvec4(0, 0, 0, 1)) {
+    throw UsageError(
+        "--pose: it is not finite and affine; expected 16 numbers with the last row 0 0 0 1 (see --matrix-order)");
+  }
+  const glm::dmat4 view_from_world = glm::inverse(world_from_camera);
+  for (int column = 0; column < 4; ++column) {
+    if (std::isfinite(glm::dot(view_from_world[column], glm::dvec4(1)))) continue;
+    throw UsageError("--pose: it flattens space and can't be inverted");
+  }
+  return view_from_world;
+}
+
 std::vector<View> make_views(const Mesh& mesh, const CameraOptions& options) {
   assert(!mesh.triangles.empty() && !mesh.positions.empty());
   check(options);
   const Subject subject(mesh, options);
-  if (options.eye) return {single_view(*options.eye, subject)};
+  const std::optional<Stand> stand = stand_of(options, subject.centre);
+  if (options.matrix) {
+    View view{"matrix as given"};
+    if (stand) view.view_from_world = stand->view_from_world;
+    view.frustum.depth = options.depth;
+    view.matrix = given_matrix(options);
+    return {view};
+  }
+  if (stand) {
+    const double depth =
+        std::max(subject.reach(stand->eye), glm::length(subject.centre - stand->eye));
+    return {view_of(stand->label, stand->view_from_world, subject, 1.01 * depth)};
+  }
   std::vector<View> views;
   for (int n = 0; n < options.walk; ++n) views.push_back(walk_view(n, subject));
   return views;

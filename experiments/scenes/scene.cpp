@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/scenes/scene.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cassert>
@@ -9,8 +10,10 @@
 #include <span>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/machine/warning.hpp"
 #include "experiments/scenes/builtin.hpp"
 #include "experiments/scenes/camera.hpp"
+#include "experiments/scenes/gltf_camera.hpp"
 #include "experiments/scenes/mesh_file.hpp"
 
 namespace clipscope::experiments {
@@ -29,14 +32,49 @@ void place_camera(Scene& scene, const CameraOptions& camera) {
   unset.depth = camera.depth;
   if (camera != unset) {
     const auto has_moved = [](const View& view) { return view.view_from_world != glm::dmat4(1.0); };
-    if (std::ranges::none_of(scene.views, has_moved)) {
+    // A matrix alone takes the place of the frustum; nothing moves.
+    const bool stays = camera.matrix && !camera.eye && !camera.pose;
+    if (!stays && std::ranges::none_of(scene.views, has_moved)) {
       throw UsageError(fmt::format(
-          "the scene '{}' is given in view space and has no camera to move: leave --eye, --target, --up, --fovy, --aspect, --near, --far and --walk away",
+          "the scene '{}' is given in view space and has no camera to move: leave the options of the camera away; a --matrix alone is taken",
           scene.name));
     }
     scene.views = make_views(scene.mesh, camera);
   }
   for (View& view : scene.views) view.frustum.depth = camera.depth;
+}
+
+// The camera of the file that the option names: by its number, or by its name.
+const GltfCamera& find_camera(const std::vector<GltfCamera>& cameras, const std::string& wanted,
+                              const std::filesystem::path& path) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    if (wanted == std::to_string(i) || wanted == cameras[i].name) return cameras[i];
+    names.push_back(fmt::format("{} ({})", i, cameras[i].name));
+  }
+  throw UsageError(fmt::format("--camera: {} has no camera '{}'; it has: {}", path.string(), wanted,
+                               names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+}
+
+// Options that say of a camera of the file what the file says.
+CameraOptions with_gltf_camera(const CameraOptions& options, const std::filesystem::path& path) {
+  const std::vector<GltfCamera> cameras = read_gltf_cameras(path);
+  const GltfCamera& camera = find_camera(cameras, *options.gltf_camera, path);
+  CameraOptions unset;
+  unset.depth = options.depth;
+  unset.gltf_camera = options.gltf_camera;
+  unset.near = options.near;
+  unset.far = options.far;
+  unset.aspect = options.aspect;
+  if (options != unset) {
+    throw UsageError(
+        "--camera: the file says where the camera is and what it sees; only --near, --far, --aspect and --depth may change that");
+  }
+  CameraOptions placed;
+  placed.depth = options.depth;
+  placed.pose = pose_of(camera);
+  placed.frustum = frustum_of(camera, options);
+  return placed;
 }
 
 }  // namespace
@@ -73,6 +111,11 @@ Scene load_scene(std::string_view name_or_file, const SceneOptions& options,
                  const CameraOptions& camera) {
   const bool is_builtin = std::ranges::count(builtin_scenes(), name_or_file, &SceneInfo::name) > 0;
   if (is_builtin || !looks_like_a_file(name_or_file)) {
+    if (camera.gltf_camera) {
+      throw UsageError(fmt::format(
+          "--camera: '{}' is a built-in scene; the option takes a camera of a glTF file",
+          name_or_file));
+    }
     Scene scene = make_builtin_scene(name_or_file, options);
     place_camera(scene, camera);
     return scene;
@@ -81,8 +124,14 @@ Scene load_scene(std::string_view name_or_file, const SceneOptions& options,
   Scene scene;
   scene.name = path.filename().string();
   scene.mesh = load_mesh(path);
+  std::ranges::for_each(scene.mesh.remarks, warn);
   scene.description = fmt::format("{} triangles of {}", scene.mesh.triangles.size(), path.string());
-  scene.views = make_views(scene.mesh, camera);
+  if (!camera.gltf_camera) {
+    scene.views = make_views(scene.mesh, camera);
+    return scene;
+  }
+  scene.views = make_views(scene.mesh, with_gltf_camera(camera, path));
+  scene.views.front().label = "camera " + *camera.gltf_camera;
   return scene;
 }
 

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,9 +30,12 @@ inline constexpr int kSceneAttributes = 4;
 using SceneTriangle = ViewTriangle<float, kSceneAttributes>;
 
 struct Mesh {
-  std::vector<std::array<float, 3>> positions;                  // world space
+  std::vector<std::array<float, 3>> positions;  // world space
+  // The same in double, where a file has one that no float holds; else empty.
+  std::vector<std::array<double, 3>> double_positions = {};
   std::vector<std::array<float, kSceneAttributes>> attributes;  // one per position
   std::vector<std::array<std::uint32_t, 3>> triangles;          // indices into positions
+  std::vector<std::string> remarks = {};  // what people should know of the file it was read from
 };
 
 inline glm::dvec3 point_of(const Mesh& mesh, std::size_t vertex) {
@@ -39,11 +43,22 @@ inline glm::dvec3 point_of(const Mesh& mesh, std::size_t vertex) {
   return {x, y, z};
 }
 
-// A camera position: world to view (rigid), and the frustum. Frustum numbers are floats.
+// The position as the file has it, before it was rounded to float.
+inline glm::dvec3 point_in_double(const Mesh& mesh, std::size_t vertex) {
+  if (mesh.double_positions.empty()) return point_of(mesh, vertex);
+  const auto& [x, y, z] = mesh.double_positions[vertex];
+  return {x, y, z};
+}
+
+// A camera position: world to view, and the frustum, whose numbers are floats; or instead of the
+// frustum a matrix from view space to clip space, as given (view space is then what the matrix
+// takes, the world itself where it holds the camera, too). With a matrix only the depth range of
+// the frustum counts.
 struct View {
   std::string label;
   glm::dmat4 view_from_world = glm::dmat4(1.0);
-  Frustum<float> frustum;
+  Frustum<float> frustum = {};
+  std::optional<MatrixRows<float>> matrix = {};
 };
 
 struct Scene {

@@ -19,6 +19,18 @@ std::string frustum_options(const Frustum<float>& f) {
                      f.infinite_far ? "inf" : hex_float(f.far));
 }
 
+std::string matrix_option(const MatrixRows<float>& rows) {
+  std::string text;
+  for (const Vec4<float>& row : rows) {
+    for (int k = 0; k < 4; ++k) text += (text.empty() ? "" : ",") + hex_float(row[k]);
+  }
+  return "--matrix " + text;
+}
+
+std::string projection_options(const View& view) {
+  return view.matrix ? matrix_option(*view.matrix) : frustum_options(view.frustum);
+}
+
 std::string hex_line(std::span<const reference::InputVertex> vertices, int dimension,
                      int attribute_count) {
   std::string text;
@@ -33,7 +45,9 @@ std::string hex_line(std::span<const reference::InputVertex> vertices, int dimen
 std::string replay_text(const Batch& batch, std::size_t primitive) {
   std::string options = batch.space == Space::view ? "--space view " : "--space clip ";
   if (batch.vertices == 2) options += "--primitive segment ";
-  if (batch.space == Space::view) {
+  if (batch.matrix) {
+    options += matrix_option(matrix_cast<float>(*batch.matrix)) + " ";
+  } else if (batch.space == Space::view) {
     options += frustum_options(frustum_cast<float>(batch.frustum)) + " ";
   }
   return fmt::format(

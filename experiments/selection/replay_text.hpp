@@ -20,6 +20,12 @@ std::string_view depth_option(DepthRange depth);
 // "--frustum L,R,B,T,N,F" or "--ortho ...", in hex floats.
 std::string frustum_options(const Frustum<float>& frustum);
 
+// "--matrix M00,M01,..." by rows, in hex floats.
+std::string matrix_option(const MatrixRows<float>& rows);
+
+// What the view is clipped against: its frustum or its matrix, as an option.
+std::string projection_options(const View& view);
+
 // One line of hex floats: of each vertex `dimension` coordinates (3: view space, 4: clip space),
 // then the attributes.
 std::string hex_line(std::span<const reference::InputVertex> vertices, int dimension,

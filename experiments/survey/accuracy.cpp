@@ -9,10 +9,10 @@ namespace clipscope::experiments {
 namespace {
 
 reference::Truth truth_of(const View& view, reference::TruthKind kind) {
-  if (kind == reference::TruthKind::matrix) {
+  if (kind == reference::TruthKind::matrix && !view.matrix) {
     return reference::Truth::of_matrix(Projection<float>(view.frustum));
   }
-  return reference::Truth::of_frustum(frustum_cast<double>(view.frustum));
+  return experiments::truth_of(view);
 }
 
 // Whether the triangle has the largest error so far.

@@ -167,7 +167,7 @@ std::vector<BatchAccuracy> judge_batches(std::span<const SampledView> views,
   std::vector<BatchAccuracy> results(contestants.size());
   for (std::size_t v = 0; v < views.size(); ++v) {
     const auto& [view, triangles, numbers] = views[v];
-    const auto truth = reference::Truth::of_frustum(frustum_cast<double>(view.frustum));
+    const reference::Truth truth = truth_of(view);
     std::vector<RoundedTruth> truths(triangles.size());
     tbb::parallel_for(std::size_t{0}, truths.size(), [&](std::size_t i) {
       truths[i] =

@@ -47,7 +47,7 @@ std::string first_broken_promise(const Contestant& contestant, Runner& runner,
     const std::size_t count = std::min(share, batch.size());
     runner.clip(b, 0, count);
     const Answers answers = runner.answers();
-    const PromiseChecker checker(batch.frustum, batch.volume);
+    const PromiseChecker checker(batch);
     std::vector<PromiseCheck> found(count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
       found[i] =

@@ -52,7 +52,7 @@ FrameBuffer draw_with(const Contestant& contestant, const Scene& scene, const Vi
 }
 
 FrameBuffer draw_exact(const Scene& scene, const View& view, const PictureSize& size) {
-  const auto truth = reference::Truth::of_frustum(frustum_cast<double>(view.frustum));
+  const reference::Truth truth = truth_of(view);
   return draw(scene, view, size, [&](std::span<const SceneTriangle> triangles) {
     std::vector<ScreenPolygon> polygons;
     for (const TruthPolygon& exact : truth_polygons(truth, batch_of(view, triangles))) {

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "experiments/catalogue/catalogue.hpp"
+#include "experiments/contestants/plane_columns.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/selection/select.hpp"
 #include "experiments/survey/sweep.hpp"
@@ -20,9 +21,11 @@ struct CaseBatch : Batch {
   explicit CaseBatch(const HardCase& c)
       : Batch{.space = c.space,
               .frustum = c.frustum,
+              .matrix = c.matrix,
               .volume = c.volume,
               .vertices = static_cast<int>(vertices_of(c.primitive)),
-              .attributes = c.attribute_count},
+              .attributes = c.attribute_count,
+              .planes = c.planes},
         own_end(c.vertices.size()) {
     for (const auto& [position, values] : c.vertices) {
       own_numbers.insert(own_numbers.end(), position.begin(), position.begin() + dimension());
@@ -38,11 +41,6 @@ struct CaseBatch : Batch {
   std::size_t own_end;
 };
 
-PromiseChecker promise_checker(const HardCase& hard_case) {
-  return hard_case.space == Space::view ? PromiseChecker(hard_case.frustum, hard_case.volume)
-                                        : PromiseChecker(hard_case.volume);
-}
-
 PromiseCheck check_answer(const Contestant& contestant, const HardCase& hard_case,
                           const CaseBatch& input, const PromiseChecker& checker,
                           const PolygonView& answer) {
@@ -54,7 +52,7 @@ PromiseCheck check_answer(const Contestant& contestant, const HardCase& hard_cas
 std::vector<CaseVerdict> judge(const HardCase& hard_case, const Contestants& contestants) {
   const TruthPolygon truth = truth_polygon(hard_case);
   const CaseBatch input(hard_case);
-  const PromiseChecker checker = promise_checker(hard_case);
+  const PromiseChecker checker(input);
   std::vector<CaseVerdict> verdicts;
   for (const Contestant* contestant : contestants) {
     CaseVerdict& verdict = verdicts.emplace_back();
@@ -112,21 +110,21 @@ bool takes(const Contestant& contestant, const HardCase& hard_case) {
 }
 
 Answers clip_case(const Contestant& contestant, const HardCase& hard_case) {
-  return clip(contestant, CaseBatch(hard_case));
+  return clip_without_distances(contestant, CaseBatch(hard_case));
 }
 
 Comparison judge_case(const Contestant& contestant, const HardCase& hard_case,
                       const TruthPolygon& truth) {
   const CaseBatch input(hard_case);
   if (!contestant.takes(input)) return {.outcome = Outcome::not_applicable};
-  return compare(clip(contestant, input)[0], truth);
+  return compare(clip_without_distances(contestant, input)[0], truth);
 }
 
 PromiseCheck check_case(const Contestant& contestant, const HardCase& hard_case) {
   const CaseBatch input(hard_case);
   if (!contestant.takes(input)) return {PromiseVerdict::outside_domain, 0, ""};
   const Answers answers = clip(contestant, input);
-  return check_answer(contestant, hard_case, input, promise_checker(hard_case), answers[0]);
+  return check_answer(contestant, hard_case, input, PromiseChecker(input), answers[0]);
 }
 
 TruthPolygon truth_polygon(const HardCase& hard_case) {

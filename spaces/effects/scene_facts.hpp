@@ -83,28 +83,31 @@ class SceneFacts {
  public:
   // Nothing is known: anything may happen.
   explicit SceneFacts(const Projection<T>& projection)
-      : projection_(projection),
-        crossed_(planes_of(projection.volume)),
-        crossed_band_(kSidePlanes),
-        has_bad_w_(true),
-        has_unit_w_(false),
-        w_ratio_(std::numeric_limits<T>::infinity()) {}
+      : projection_(projection), rows_(rows_of(projection)) {
+    know_nothing();
+  }
 
   // Looks at all triangles of a scene.
   template <int K>
   SceneFacts(const Projection<T>& projection, std::span<const ViewTriangle<T, K>> triangles,
              const AttributeFacts<T>& attributes, const LookOptions<T>& options = {})
-      : projection_(projection), attributes_(attributes), options_(options) {
-    const CullingPlanes<T> planes = culling_planes(projection);
-    for (std::size_t first = 0; first < triangles.size(); first += kGroup) {
-      if (is_everything_called_for()) {
-        *this = SceneFacts(projection_);
-        attributes_ = attributes;
-        options_ = options;
-        return;
-      }
-      look_at_group(planes, triangles.subspan(first, std::min(kGroup, triangles.size() - first)));
-    }
+      : projection_(projection),
+        rows_(rows_of(projection)),
+        attributes_(attributes),
+        options_(options) {
+    look_at_all(culling_planes(projection), triangles);
+  }
+
+  // The same for triangles that any matrix takes to clip space, by the transform of its rows
+  // (projection.hpp). Of the projection only the volume counts then, and pipelines, which project
+  // by a frustum, have no use for the facts.
+  template <int K>
+  SceneFacts(const ClipVolume& volume, const MatrixRows<T>& rows,
+             std::span<const ViewTriangle<T, K>> triangles, const AttributeFacts<T>& attributes,
+             const LookOptions<T>& options = {})
+      : rows_(rows), is_given_(true), attributes_(attributes), options_(options) {
+    projection_.volume = volume;
+    look_at_all(culling_planes(volume.depth, rows), triangles);
   }
 
   const Projection<T>& projection() const { return projection_; }
@@ -122,6 +125,30 @@ class SceneFacts {
   static constexpr Outcode kSidePlanes =
       bit(Plane::left) | bit(Plane::right) | bit(Plane::bottom) | bit(Plane::top);
 
+  static MatrixRows<T> rows_of(const Projection<T>& p) {
+    const T o(0);
+    return {Vec4<T>(p.x.own, o, p.x.z, p.x.one), Vec4<T>(o, p.y.own, p.y.z, p.y.one),
+            Vec4<T>(o, o, p.z.z, p.z.one), Vec4<T>(o, o, p.w.z, p.w.one)};
+  }
+
+  template <int K>
+  void look_at_all(const CullingPlanes<T>& planes, std::span<const ViewTriangle<T, K>> triangles) {
+    for (std::size_t first = 0; first < triangles.size(); first += kGroup) {
+      if (is_everything_called_for()) return know_nothing();
+      look_at_group(planes, triangles.subspan(first, std::min(kGroup, triangles.size() - first)));
+    }
+  }
+
+  // Anything may happen.
+  void know_nothing() {
+    crossed_ = planes_of(projection_.volume);
+    rejecting_ = 0;
+    crossed_band_ = kSidePlanes;
+    has_bad_w_ = true;
+    has_unit_w_ = false;
+    w_ratio_ = std::numeric_limits<T>::infinity();
+  }
+
   // Nothing that comes after can change what is known then.
   bool is_everything_called_for() const {
     return crossed_ == planes_of(projection_.volume) && !is_band_open(kSidePlanes) && has_bad_w_ &&
@@ -133,7 +160,17 @@ class SceneFacts {
     return options_.guard_band > T(1) && (planes & kSidePlanes & ~crossed_band_) != 0;
   }
 
-  T w_at(const T& z) const { return projection_.w.z * z + projection_.w.one; }
+  // As the transform computes it.
+  Vec4<T> clip_position(const Vec3<T>& p) const {
+    return is_given_ ? to_clip(rows_, p) : to_clip(projection_, p);
+  }
+  T w_at(const Vec3<T>& p) const {
+    const Vec4<T>& w = rows_[3];
+    return is_given_ ? w[0] * p[0] + w[1] * p[1] + w[2] * p[2] + w[3] : w[2] * p[2] + w[3];
+  }
+  bool is_w_constant() const {
+    return rows_[3][0] == T(0) && rows_[3][1] == T(0) && rows_[3][2] == T(0);
+  }
 
   template <int K>
   static AxisBox<T> box_of(std::span<const ViewTriangle<T, K>> group) {
@@ -166,7 +203,7 @@ class SceneFacts {
       if (side == bounds::Side::outside) rejecting |= plane;
       if (side != bounds::Side::inside) open |= plane;
     }
-    const bool parallel_w = projection_.w.z == T(0) && projection_.w.one == T(1);
+    const bool parallel_w = is_w_constant() && rows_[3][3] == T(1);
     if (!is_finite(box)) {
       look_closer(group);
     } else if (rejecting != 0) {
@@ -180,17 +217,22 @@ class SceneFacts {
     }
   }
 
-  // w of a point is monotonic in its z, as computed.
+  // w of a point is monotonic in each coordinate, as computed: it is least and largest at corners.
   bool is_w_settled(const AxisBox<T>& box) const {
-    const T a = w_at(box.lower[2]), b = w_at(box.upper[2]);
-    return has_bad_w_ || (T(0) < std::min(a, b) && is_finite(std::max(a, b)));
+    Vec3<T> least, most;
+    for (int i = 0; i < 3; ++i) {
+      const bool rises = T(0) <= rows_[3][i];
+      least[i] = rises ? box.lower[i] : box.upper[i];
+      most[i] = rises ? box.upper[i] : box.lower[i];
+    }
+    return has_bad_w_ || (T(0) < w_at(least) && is_finite(w_at(most)));
   }
 
   template <int K>
   void note_w_ratios(std::span<const ViewTriangle<T, K>> group) {
-    if (has_bad_w_ || projection_.w.z == T(0)) return;
+    if (has_bad_w_ || is_w_constant()) return;
     for (const ViewTriangle<T, K>& t : group) {
-      note_w(w_at(t[0].position[2]), w_at(t[1].position[2]), w_at(t[2].position[2]));
+      note_w(w_at(t[0].position), w_at(t[1].position), w_at(t[2].position));
     }
   }
 
@@ -216,9 +258,9 @@ class SceneFacts {
 
   template <int K>
   void look_closer(const ViewTriangle<T, K>& triangle) {
-    const std::array<Vec4<T>, 3> positions = {to_clip(projection_, triangle[0].position),
-                                              to_clip(projection_, triangle[1].position),
-                                              to_clip(projection_, triangle[2].position)};
+    const std::array<Vec4<T>, 3> positions = {clip_position(triangle[0].position),
+                                              clip_position(triangle[1].position),
+                                              clip_position(triangle[2].position)};
     const OutcodeSummary code = summarize_outcodes(
         projection_.volume, triangle,
         [&](std::size_t i) { return clip_outcode(projection_.volume.depth, positions[i]); });
@@ -238,6 +280,8 @@ class SceneFacts {
   }
 
   Projection<T> projection_;
+  MatrixRows<T> rows_;     // of the projection, or as given
+  bool is_given_ = false;  // the rows are the transform
   AttributeFacts<T> attributes_;
   LookOptions<T> options_;
   Outcode crossed_ = 0, rejecting_ = 0, crossed_band_ = 0;

@@ -19,6 +19,31 @@ TEST_CASE("truth: the point (1, 1, 0) has the clip coordinates (1, 1, -20/9, 0)"
   CHECK(truth.clip_position(at(1, 1, 0)) == Clip{1, 1, ratio(-20, 9), 0});
 }
 
+TEST_CASE("truth: a matrix of sixteen numbers is taken as given, with each of its six planes") {
+  // The rows of x + 2 y + 3 z + 4 and so on; no frustum has such a matrix.
+  const MatrixRows<double> rows = {Vec4<double>(1, 2, 3, 4), Vec4<double>(0, 1, 0, -1),
+                                   Vec4<double>(0, 0, 1, 0), Vec4<double>(1, 0, 0, 8)};
+  const Truth truth = Truth::of_matrix(rows, {.depth = DepthRange::zero_to_one});
+  CHECK(truth.kind() == TruthKind::matrix);
+  CHECK(truth.clip_position(at(1, 1, 1)) == Clip{10, 0, 1, 9});
+  REQUIRE(truth.half_spaces().size() == 6);
+  const int expected[] = {19, -1, 9, 9, 1, 8};  // w + x, w - x, w + y, w - y, z, w - z
+  for (std::size_t i = 0; i < 6; ++i) {
+    CHECK(value(truth.half_spaces()[i].form, at(1, 1, 1)) == Dyadic(expected[i]));
+  }
+  MatrixRows<double> broken = rows;
+  broken[2][1] = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_AS(Truth::of_matrix(broken, {}), std::invalid_argument);
+}
+
+TEST_CASE("truth: further planes cut view space, and clip space with w") {
+  const std::array<double, 4> plane = {1, 0, 0, -2};
+  const Truth view = Truth::of_frustum(unit_frustum()).with_planes(std::span(&plane, 1));
+  CHECK(value(view.half_spaces().back().form, at(5, 0, -1)) == Dyadic(3));
+  const Truth clip = Truth::of_clip(ClipVolume{}).with_planes(std::span(&plane, 1));
+  CHECK(value(clip.half_spaces().back().form, {{5, 0, 0, 3}, {}}) == Dyadic(-1));
+}
+
 TEST_CASE("truth: near and far planes go to the ends of the depth range") {
   struct Ends {
     DepthRange depth;

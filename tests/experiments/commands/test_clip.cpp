@@ -511,3 +511,28 @@ TEST_CASE("clip: wrong options and names are usage errors, exit 2") {
          "--point-size");
   expect("clip --space clip --point-size 3 --viewport 64x64", "--primitive point");
 }
+
+TEST_CASE("clip: text may begin with a byte order mark and end its lines as it likes") {
+  const std::string arguments = "clip --space clip --primitive segment";
+  const Folder folder;
+  const Result plain = folder.run(arguments, "-2 0 0 1  2 0 0 1\n0 0 0 1  1 0 0 1\n");
+  REQUIRE(plain.code == 0);
+  for (const char* text :
+       {"\xEF\xBB\xBF-2 0 0 1  2 0 0 1\n0 0 0 1  1 0 0 1\n",
+        "-2 0 0 1  2 0 0 1\r0 0 0 1  1 0 0 1\r", "-2 0 0 1  2 0 0 1\r\n0 0 0 1  1 0 0 1\r\n"}) {
+    CHECK(folder.run(arguments, text).out == plain.out);
+  }
+}
+
+TEST_CASE("clip: what can't be seen in a text is named") {
+  const Folder folder;
+  const auto refusal = [&](const std::string& text) {
+    const Result r = folder.run("clip --space clip --primitive point", text);
+    CHECK(r.code == 3);
+    return r.err;
+  };
+  CHECK(contains(refusal("0 0 0 1\xC2\xA0\n"), "'1<U+00A0 no-break space>' is not a number"));
+  CHECK(contains(refusal("\xE2\x88\x92.5 0 0 1\n"), "'<U+2212 minus sign>.5' is not a number"));
+  CHECK(contains(refusal(std::string("\xFF\xFE-\0", 4)),
+                 "standard input: the text is UTF-16 (little-endian); UTF-8 or ASCII expected"));
+}

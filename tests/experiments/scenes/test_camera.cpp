@@ -104,7 +104,7 @@ TEST_CASE("perspective_frustum: values that enclose no volume are refused by the
   CHECK(contains(refused(60, 1, -1, 2), "--near: -1 "));
   CHECK(contains(refused(60, 1, 3, 2), "--near: 3 given; it must be less than far, which is 2"));
   CHECK(contains(refused(60, 1, 2, 2), "--near: 2 "));
-  CHECK(contains(refused(60, 1, 1, INFINITY), "--far: inf "));
+  CHECK(contains(refused(60, 1, INFINITY, INFINITY), "--near: inf "));
   CHECK(contains(refused(60, 1, 1, 1 + 1e-12), "rounded to float"));
   CHECK(contains(refused(60, 1, 1, 1e300), "rounded to float"));
   CHECK(contains(refused(60, 1, 1e-60, 1), "rounded to float"));

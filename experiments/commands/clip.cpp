@@ -14,7 +14,7 @@
 
 #include "experiments/commands/options.hpp"
 #include "experiments/contestants/contestant.hpp"
-#include "experiments/contestants/flatness.hpp"
+#include "experiments/scenes/flatness.hpp"
 #include "experiments/scenes/triangulate.hpp"
 #include "experiments/selection/select.hpp"
 #include "experiments/table/hex_float.hpp"

@@ -48,7 +48,7 @@ std::vector<std::array<double, 4>> scissor_planes(const Scissor& s, const Batch&
        {at_least(0, s.x, s.viewport[0]), at_most(0, s.x + s.width, s.viewport[0]),
         at_least(1, s.y, s.viewport[1]), at_most(1, s.y + s.height, s.viewport[1])}) {
     if (batch.space == Space::view) {
-      const auto truth = reference::Truth::of_frustum(batch.frustum, batch.volume);
+      const reference::Truth truth = reference::truth_of(batch);
       planes.push_back(in_view_space(truth, side));
     } else {
       std::array<double, 4>& plane = planes.emplace_back(std::array<double, 4>{0, 0, 0, side.of_w});

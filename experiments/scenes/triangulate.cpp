@@ -12,8 +12,8 @@
 #include <map>
 #include <numeric>
 
-#include "experiments/contestants/flatness.hpp"
 #include "experiments/machine/errors.hpp"
+#include "experiments/scenes/flatness.hpp"
 #include "reference/exact_clip.hpp"
 
 namespace clipscope::experiments {

@@ -314,6 +314,8 @@ TEST_CASE("clip: a scissor rectangle cuts at its pixels, in clip space and in vi
                 "-4 0 -4  4 0 -4\n") == Lines{"0,0,-0.5,0,0.75,0.25", "0,1,0.5,0,0.75,0.25"});
   CHECK(rows_of(folder, "--ortho 0,4,-1,1,1,3 " + scissor, "0 0 -2  4 0 -2\n") ==
         Lines{"0,0,-0.5,0,0,1", "0,1,0.5,0,0,1"});
+  CHECK(rows_of(folder, "--matrix 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,4 " + scissor, "-4 0 0  4 0 0\n") ==
+        half);
   // y goes upwards: the lower quarter.
   CHECK(rows_of(folder, "--space clip --primitive segment --viewport 640x480 --scissor 0,0,640,120",
                 "0 -1 0 1  0 1 0 1\n") == Lines{"0,0,0,-1,0,1", "0,1,0,-0.5,0,1"});

@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "experiments/contestants/flatness.hpp"
 #include "experiments/machine/errors.hpp"
+#include "experiments/scenes/flatness.hpp"
 #include "tests/catch.hpp"
 
 using namespace clipscope;

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/contestants/flatness.hpp"
+#include "experiments/scenes/flatness.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "experiments/contestants/scalars.hpp"
+#include "reference/fraction.hpp"
 
 namespace clipscope::experiments {
 namespace {
+
+using Exact = reference::Rational;
 
 template <std::size_t D>
 using Direction = std::array<Exact, D>;
@@ -60,7 +62,7 @@ Departure departure(std::span<const std::array<double, D>> points) {
   }
   const Farthest off = farthest(rest);
   if (off.squared == 0) return {};
-  const double distance = std::sqrt(nearest_double(off.squared));
+  const double distance = std::sqrt(reference::round_to<double>(off.squared));
   return {static_cast<int>(off.index),
           std::max(distance, std::numeric_limits<double>::denorm_min())};
 }

@@ -174,7 +174,7 @@ Task CulledView::clip_all() {
 Task CulledView::clip_culled(const Culler& culler) {
   const auto clip_some = [this, &culler](double times) {
     for (int i = 0; i < times; ++i) {
-      culler(world_planes(view_), answers_);
+      culler(view_, answers_);
       for (std::size_t object = 0; object < answers_.size(); ++object) {
         const TriangleRange& range = objects_.ranges[object];
         if (answers_[object] == Visibility::accepted) project(range);
@@ -184,7 +184,7 @@ Task CulledView::clip_culled(const Culler& culler) {
     return static_cast<std::size_t>(times) * triangles_.size();
   };
   const auto check = [this, &culler] {
-    culler(world_planes(view_), answers_);
+    culler(view_, answers_);
     return first_difference(answers_);
   };
   return {.work = clip_some, .check = check, .most_share = kRepeated};
@@ -209,7 +209,7 @@ std::vector<Result> measure(const ObjectScene& scene, const Contestant& clipper,
     CulledView culled(clipper, view, objects, triangles);
     std::vector<Task> tasks = {culled.clip_all()};
     for (std::size_t i = 0; i < cullers.size(); ++i) {
-      cullers[i](world_planes(view), answers);
+      cullers[i](view, answers);
       add(objects, answers, exact, results[i].tally);
       tasks.push_back(culled.clip_culled(cullers[i]));
     }

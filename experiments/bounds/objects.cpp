@@ -55,24 +55,45 @@ AxisBox<double> axis_box(Points points) { return clipscope::bounding_box(points)
 Sphere<double> sphere(Points points) { return bounding_sphere(points); }
 OrientedBox<double> oriented_box(Points points) { return bounding_oriented_box(points); }
 
-// A volume around each object.
 template <auto kAround>
-Culler volumes(const Mesh& mesh, const Objects& objects) {
+auto volumes_of(const Mesh& mesh, const Objects& objects) {
   std::vector<decltype(kAround(Points()))> volumes;
   for (const TriangleRange& range : objects.ranges) {
     volumes.push_back(kAround(positions_of(mesh, objects, range)));
   }
-  return [=](const CullingPlanes<double>& planes, std::span<Visibility> answers) {
+  return volumes;
+}
+
+// A volume around each object, by the planes.
+template <auto kAround>
+Culler by_planes(const Mesh& mesh, const Objects& objects) {
+  return [volumes = volumes_of<kAround>(mesh, objects)](const View& view,
+                                                        std::span<Visibility> answers) {
+    const CullingPlanes<double> planes = world_planes(view);
     for (std::size_t i = 0; i < volumes.size(); ++i) answers[i] = visibility(planes, volumes[i]);
   };
 }
 
+// The same, and by all separating axes what the planes leave open.
+template <auto kAround>
+Culler by_axes(const Mesh& mesh, const Objects& objects) {
+  return [volumes = volumes_of<kAround>(mesh, objects)](const View& view,
+                                                        std::span<Visibility> answers) {
+    const CullingPlanes<double> planes = world_planes(view);
+    const CullingHull<double> hull = world_hull(view);
+    for (std::size_t i = 0; i < volumes.size(); ++i) {
+      answers[i] = visibility(planes, hull, volumes[i]);
+    }
+  };
+}
+
 // Ranges are reported in order, and so lie the objects.
+template <auto kHierarchy>
 Culler hierarchy(const Mesh&, const Objects& objects) {
-  if (objects.hierarchy.nodes().empty()) return {};
-  return [&objects](const CullingPlanes<double>& planes, std::span<Visibility> answers) {
+  if ((objects.*kHierarchy).nodes().empty()) return {};
+  return [&objects](const View& view, std::span<Visibility> answers) {
     std::size_t object = 0;
-    objects.hierarchy.query(planes, [&](TriangleRange range, Visibility answer) {
+    (objects.*kHierarchy).query(world_planes(view), [&](TriangleRange range, Visibility answer) {
       const std::uint32_t end = range.first + range.count;
       while (object < answers.size() && objects.ranges[object].first < end) {
         answers[object++] = answer;
@@ -89,9 +110,11 @@ Objects clusters(const Mesh& mesh, std::uint32_t most) {
   std::vector<std::uint32_t> indices;
   for (const auto& t : mesh.triangles) indices.insert(indices.end(), t.begin(), t.end());
   Objects r;
-  r.hierarchy = BoxHierarchy<double>(positions, indices, most);
-  r.order = r.hierarchy.order();
-  const auto& nodes = r.hierarchy.nodes();
+  r.boxes = BoxHierarchy<double>(positions, indices, most);
+  r.spheres = SphereHierarchy<double>(positions, indices, most);
+  r.oriented_boxes = OrientedBoxHierarchy<double>(positions, indices, most);
+  r.order = r.boxes.order();
+  const auto& nodes = r.boxes.nodes();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (nodes[i].next == i + 1) r.ranges.push_back(nodes[i].range);
   }
@@ -184,12 +207,39 @@ CullingPlanes<double> world_planes(const View& view) {
   return r;
 }
 
+CullingHull<double> world_hull(const View& view) {
+  // The inverse of a rotation and a shift: R^T (p - t).
+  const glm::dmat3 back = glm::transpose(glm::dmat3(view.view_from_world));
+  const glm::dmat3 magnitudes(clipscope::bounds::absolute(back[0]),
+                              clipscope::bounds::absolute(back[1]),
+                              clipscope::bounds::absolute(back[2]));
+  const Vec3<double> shift(view.view_from_world[3]);
+  CullingHull<double> hull;
+  hull.known = true;
+  hull.corners = culling_hull(frustum_cast<double>(view.frustum)).corners;
+  for (HullCorner<double>& corner : hull.corners) {
+    corner.position = back * (corner.position - corner.weight * shift);
+    const Vec3<double> moved =
+        corner.magnitude + corner.weight_magnitude * clipscope::bounds::absolute(shift);
+    corner.magnitude = kFloatWeights * (magnitudes * moved);
+    corner.weight_magnitude *= kFloatWeights;
+  }
+  clipscope::bounds::set_edges(hull);
+  clipscope::bounds::set_back(hull);
+  return hull;
+}
+
 std::span<const BoundKind> bound_kinds() {
-  static constexpr std::array<BoundKind, 4> kKinds = {{
-      {"axis box", volumes<axis_box>},
-      {"sphere", volumes<sphere>},
-      {"oriented box", volumes<oriented_box>},
-      {"box hierarchy", hierarchy},
+  static constexpr std::array<BoundKind, 9> kKinds = {{
+      {"axis box", by_planes<axis_box>},
+      {"sphere", by_planes<sphere>},
+      {"oriented box", by_planes<oriented_box>},
+      {"axis box, all axes", by_axes<axis_box>},
+      {"sphere, all axes", by_axes<sphere>},
+      {"oriented box, all axes", by_axes<oriented_box>},
+      {"box hierarchy", hierarchy<&Objects::boxes>},
+      {"sphere hierarchy", hierarchy<&Objects::spheres>},
+      {"oriented box hierarchy", hierarchy<&Objects::oriented_boxes>},
   }};
   return kKinds;
 }

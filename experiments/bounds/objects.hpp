@@ -16,21 +16,23 @@
 #include "experiments/scenes/scene.hpp"
 #include "experiments/selection/select.hpp"
 #include "spaces/bounds/hierarchy.hpp"
-#include "spaces/bounds/visibility.hpp"
+#include "spaces/bounds/separating_axes.hpp"
 
 namespace clipscope::experiments::bounds {
 
 // The mesh's triangles in groups: object i has the triangles order[first], ..., of ranges[i], and
-// the ranges follow each other. Of clusters the hierarchy's leaves are the objects; else it has
-// none.
+// the ranges follow each other. Of clusters the leaves of each hierarchy are the objects; else they
+// are empty.
 struct Objects {
   std::vector<std::uint32_t> order;
   std::vector<TriangleRange> ranges;
-  BoxHierarchy<double> hierarchy;
+  BoxHierarchy<double> boxes;
+  SphereHierarchy<double> spheres;
+  OrientedBoxHierarchy<double> oriented_boxes;
 };
 
-// Clusters of at most `most` triangles each, neighbours in space: the leaves of a hierarchy of
-// boxes.
+// Clusters of at most `most` triangles each, neighbours in space: the leaves of
+// hierarchies.
 Objects clusters(const Mesh& mesh, std::uint32_t most);
 
 // Objects of `each` triangles in the order of the mesh. Pre-condition: they come out even.
@@ -84,8 +86,19 @@ ObjectScene load_object_scene(const Selection& selection, const ObjectSceneName&
 // Does not guarantee: anything for a view whose matrix is not a rotation and a shift.
 CullingPlanes<double> world_planes(const View& view);
 
+// The corners of the exact frustum in world space, with what planes allow for. Let M be the sum of
+// magnitudes of a corner's coordinate in world space, (|R| (|position| + weight |t|)); inverse view
+// and product are rounded in double. As with the planes, the magnitudes are 2^30 times as large:
+// 32 u M is allowed for, which is more than the matrix's entries are off the frustum's.
+//
+// Guarantees, where planes and hull are used together: rejected means that no triangle of the
+// object is visible in exact arithmetic. Its vertices need have no outcode in common, and of a
+// sliver beside an edge of the frustum a float clipper may leave what is not there: polygons then
+// differ from those without bounds.
+CullingHull<double> world_hull(const View& view);
+
 // One answer per object. Pre-condition: as many answers as objects.
-using Culler = std::function<void(const CullingPlanes<double>&, std::span<Visibility> answers)>;
+using Culler = std::function<void(const View& view, std::span<Visibility> answers)>;
 
 struct BoundKind {
   std::string_view name;
@@ -94,8 +107,9 @@ struct BoundKind {
   Culler (*make)(const Mesh& mesh, const Objects& objects);
 };
 
-// Axis-aligned box, sphere, oriented box, and for clusters a hierarchy of boxes whose leaves are
-// the objects: an inner node settles all below it at once.
+// Axis-aligned box, sphere and oriented box, each by the planes and by all separating axes; for
+// clusters hierarchies of these, of the same tree, whose leaves are the objects: an inner node
+// settles all below it at once.
 std::span<const BoundKind> bound_kinds();
 
 }  // namespace clipscope::experiments::bounds

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -12,6 +14,7 @@
 #include <iostream>
 
 #include "experiments/contestants/scalars.hpp"
+#include "experiments/scenes/text_file.hpp"
 
 namespace clipscope::experiments::commands {
 namespace {
@@ -29,36 +32,39 @@ std::vector<double> parse_numbers(const std::string& text) {
   }
 }
 
+// "640x480". Errors: CLI::ValidationError.
+std::array<double, 2> parse_viewport(const std::string& text) {
+  int width = 0, height = 0;
+  const char* const end = text.data() + text.size();
+  const char* const x = std::from_chars(text.data(), end, width).ptr;
+  if (x != end && *x == 'x' && std::from_chars(x + 1, end, height).ptr == end && width > 0 &&
+      height > 0) {
+    return {static_cast<double>(width), static_cast<double>(height)};
+  }
+  throw CLI::ValidationError(
+      "--viewport", fmt::format("'{}' given, WxH in pixels expected, such as 1920x1080", text));
+}
+
 bool reads_floats(const PrimitiveTextOptions& options) {
   return options.scalar == kFormat<float>.name || options.scalar == kFormat<Counted>.name;
 }
 
-std::vector<std::string> split(std::string_view line) {
-  constexpr std::string_view kBetween = ", \t\n\v\f\r";
-  line = line.substr(0, line.find('#'));
-  std::vector<std::string> words;
-  for (auto i = line.find_first_not_of(kBetween); i != line.npos;
-       i = line.find_first_not_of(kBetween)) {
-    line.remove_prefix(i);
-    words.emplace_back(line.substr(0, line.find_first_of(kBetween)));
-    line.remove_prefix(words.back().size());
-  }
-  return words;
-}
+}  // namespace
 
-// The number rounded once to the format that is read. Errors: InputError.
 double parse_number(const std::string& word, bool as_float, const std::string& place) {
   char* end = nullptr;
   const double value = as_float ? std::strtof(word.c_str(), &end) : std::strtod(word.c_str(), &end);
   if (end != word.c_str() + word.size()) {
-    throw InputError(fmt::format(
-        "{}: '{}' is not a number; expected a decimal such as -0.25 or a hex float such as -0x1p-2",
-        place, word));
+    refuse(place,
+           "'{}' is not a number; expected a decimal such as -0.25 or a hex float such as -0x1p-2",
+           word);
   }
   if (std::isfinite(value)) return value;
-  throw InputError(fmt::format("{}: '{}' is not finite{}; expected a finite number", place, word,
-                               as_float ? " as a float" : ""));
+  refuse(place, "'{}' is not finite{}; expected a finite number", word,
+         as_float ? " as a float" : "");
 }
+
+namespace {
 
 // What a line must hold, in numbers.
 struct LineShape {
@@ -83,29 +89,24 @@ struct LineShape {
   }
 };
 
-std::vector<TextPrimitive> read_stream(std::istream& in, const PrimitiveTextOptions& options,
-                                       Primitive primitive) {
-  const std::string source = options.file == "-" ? "standard input" : options.file;
-  const std::size_t dimension = options.space == "view" ? 3 : 4;
-  const LineShape shape{primitive, dimension,
-                        dimension + static_cast<std::size_t>(options.attributes)};
-  std::vector<TextPrimitive> primitives;
-  std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    const std::string place = fmt::format("{}:{}", source, ++number);
-    const std::vector<std::string> words = split(line);
-    if (words.empty()) continue;
-    if (!shape.fits(words.size())) {
-      throw InputError(
-          fmt::format("{}: found {} numbers; {}", place, words.size(), shape.text(options)));
-    }
-    std::vector<double>& values = primitives.emplace_back(TextPrimitive{place, {}}).values;
-    for (const std::string& word : words) {
-      values.push_back(parse_number(word, reads_floats(options), place));
-    }
+std::vector<TextLine> lines_of(const std::string& source, std::string_view text) {
+  std::vector<TextLine> lines;
+  TextFile file(source, text, {.separator = ',', .comment = '#'});
+  while (file.next_words()) {
+    lines.push_back({file.place(), {file.words().begin(), file.words().end()}});
   }
-  if (in.bad()) throw InputError(fmt::format("{}: can't be read", source));
-  return primitives;
+  return lines;
+}
+
+// All that is left of a stream. Errors: InputError.
+std::string read_all(std::istream& in, const std::string& name) {
+  std::string text;
+  std::array<char, 65536> block;
+  while (in.read(block.data(), block.size()) || in.gcount() > 0) {
+    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (in.bad()) throw InputError(fmt::format("{}: can't be read", name));
+  return text;
 }
 
 // What is clipped against in view space. Errors: UsageError.
@@ -203,6 +204,18 @@ std::string formatted(const Table& table, const std::string& format) {
   return table.to_text();
 }
 
+CLI::Option* add_viewport_option(CLI::App& command,
+                                 std::function<void(const std::array<double, 2>&)> set,
+                                 const std::string& help) {
+  const auto parse = [set = std::move(set)](const std::string& text) { set(parse_viewport(text)); };
+  return command.add_option_function<std::string>("--viewport", parse, help)->type_name("WxH");
+}
+
+void add_projection_options(CLI::App& command, PrimitiveTextOptions& options) {
+  add_lens_options(command, options);
+  add_depth_option(command, options.depth);
+}
+
 void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options) {
   command
       .add_option("--space", options.space,
@@ -212,8 +225,7 @@ void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options
                      "Scalar to compute in (see `clipscope list scalars`) [float]");
   add_option(command, "--attributes", options.attributes, "K", "Attributes per vertex [0]")
       ->check(CLI::Range(0, kMaxAttributes));
-  add_lens_options(command, options);
-  add_depth_option(command, options.depth);
+  add_projection_options(command, options);
   add_option(command, "file", options.file, "FILE", "Primitives, one per line [standard input]");
 }
 
@@ -235,15 +247,30 @@ Batch described_batch(const PrimitiveTextOptions& options) {
   return batch;
 }
 
+std::vector<TextLine> read_lines(const std::string& path) {
+  if (path == "-") return lines_of("standard input", read_all(std::cin, "standard input"));
+  errno = 0;
+  std::ifstream file(path);
+  if (!file) throw InputError(fmt::format("{}: can't be opened: {}", path, std::strerror(errno)));
+  return lines_of(path, read_all(file, path));
+}
+
 std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
                                            Primitive primitive) {
-  if (options.file == "-") return read_stream(std::cin, options, primitive);
-  errno = 0;
-  std::ifstream file(options.file);
-  if (!file) {
-    throw InputError(fmt::format("{}: can't be opened: {}", options.file, std::strerror(errno)));
+  const std::size_t dimension = options.space == "view" ? 3 : 4;
+  const LineShape shape{primitive, dimension,
+                        dimension + static_cast<std::size_t>(options.attributes)};
+  std::vector<TextPrimitive> primitives;
+  for (const TextLine& line : read_lines(options.file)) {
+    if (!shape.fits(line.words.size())) {
+      refuse(line.place, "found {} numbers; {}", line.words.size(), shape.text(options));
+    }
+    std::vector<double>& values = primitives.emplace_back(TextPrimitive{line.place, {}}).values;
+    for (const std::string& word : line.words) {
+      values.push_back(parse_number(word, reads_floats(options), line.place));
+    }
   }
-  return read_stream(file, options, primitive);
+  return primitives;
 }
 
 std::string_view default_clipper(Primitive primitive) {

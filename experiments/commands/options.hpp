@@ -117,6 +117,11 @@ void print_table(const Table& table, bool json, const std::optional<std::string>
 void add_format_option(CLI::App& command, std::string& format);
 std::string formatted(const Table& table, const std::string& format);
 
+// --viewport WxH, in px.
+CLI::Option* add_viewport_option(CLI::App& command,
+                                 std::function<void(const std::array<double, 2>&)> set,
+                                 const std::string& help);
+
 // Primitives as text, and the options that say what they mean.
 //
 // A line holds one primitive: a point, a segment, a triangle, or a polygon of three vertices or
@@ -124,6 +129,18 @@ std::string formatted(const Table& table, const std::string& format);
 // attributes; numbers are decimal or C99 hex floats, separated by blanks or commas. '#' starts a
 // comment; empty lines are skipped. A number is rounded once, to float for the scalars float and
 // counting and to double for the others.
+
+// A line that holds anything: its words.
+struct TextLine {
+  std::string place;  // "file:line"
+  std::vector<std::string> words;
+};
+
+// Of a file, or "-": standard input. Errors: InputError if it can't be read.
+std::vector<TextLine> read_lines(const std::string& path);
+
+// The number, rounded once to float or double. Errors: InputError naming the place.
+double parse_number(const std::string& word, bool as_float, const std::string& place);
 
 struct PrimitiveTextOptions : LensOptions {
   std::string space = "view";
@@ -133,6 +150,9 @@ struct PrimitiveTextOptions : LensOptions {
   std::string file = "-";  // "-": standard input
 };
 
+// What is clipped against: --perspective and so on, and --depth.
+void add_projection_options(CLI::App& command, PrimitiveTextOptions& options);
+// The same and space, scalar, attributes and file.
 void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options);
 
 // A batch without its primitives: space, frustum or matrix, depth range and attributes. The numbers

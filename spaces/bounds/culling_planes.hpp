@@ -56,7 +56,8 @@ struct CullingPlanes {
   // In the order of enum Plane; an infinite far plane of a frustum is left out.
   std::array<CullingPlane<T>, kPlanes> planes;
   int count = 0;
-  // A box that contains the whole volume; unbounded if it is not known.
+  // A box that contains the whole volume; unbounded if it is not known, as from a matrix alone
+  // (with_reach in culling_hull.hpp).
   AxisBox<T> reach = {Vec3<T>(-std::numeric_limits<T>::infinity()),
                       Vec3<T>(std::numeric_limits<T>::infinity())};
 };
@@ -180,7 +181,7 @@ CullingPlanes<T> culling_planes(const Frustum<T>& f) {
 
 // The six planes that a matrix to clip space gives: row i yields clip coordinate i.
 template <std::floating_point T>
-CullingPlanes<T> culling_planes(DepthRange depth, const std::array<Vec4<T>, 4>& rows) {
+CullingPlanes<T> culling_planes(DepthRange depth, const MatrixRows<T>& rows) {
   const Vec4<T>&x = rows[0], &y = rows[1], &z = rows[2], &w = rows[3];
   CullingPlanes<T> r;
   bounds::push_back(r, w, 1, x);
@@ -198,24 +199,25 @@ CullingPlanes<T> culling_planes(DepthRange depth, const std::array<Vec4<T>, 4>& 
   return r;
 }
 
-// GLM's matrices are given by columns.
+// The rows of a matrix. GLM's matrices are given by columns.
 template <std::floating_point T>
-CullingPlanes<T> culling_planes(DepthRange depth, const glm::mat<4, 4, T, glm::defaultp>& m) {
-  std::array<Vec4<T>, 4> rows;
+MatrixRows<T> rows_of(const glm::mat<4, 4, T, glm::defaultp>& m) {
+  MatrixRows<T> rows;
   for (int i = 0; i < 4; ++i) {
     rows[static_cast<std::size_t>(i)] = Vec4<T>(m[0][i], m[1][i], m[2][i], m[3][i]);
   }
-  return culling_planes(depth, rows);
+  return rows;
+}
+
+template <std::floating_point T>
+CullingPlanes<T> culling_planes(DepthRange depth, const glm::mat<4, 4, T, glm::defaultp>& m) {
+  return culling_planes(depth, rows_of(m));
 }
 
 // The planes that the rounded matrix of a projection gives, in view space.
 template <std::floating_point T>
 CullingPlanes<T> culling_planes(const Projection<T>& p) {
-  const T o(0);
-  const std::array<Vec4<T>, 4> rows = {
-      Vec4<T>(p.x.own, o, p.x.z, p.x.one), Vec4<T>(o, p.y.own, p.y.z, p.y.one),
-      Vec4<T>(o, o, p.z.z, p.z.one), Vec4<T>(o, o, p.w.z, p.w.one)};
-  return culling_planes(p.frustum.depth, rows);
+  return culling_planes(p.frustum.depth, rows_of(p));
 }
 
 }  // namespace clipscope

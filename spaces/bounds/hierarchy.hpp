@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// A hierarchy of boxes over a triangle mesh, held against the view volume.
+// A hierarchy of bounding volumes over a triangle mesh, held against the view volume: of boxes,
+// spheres or oriented boxes.
+//
+// Oriented boxes: Gottschalk, Lin and Manocha, "OBBTree: A Hierarchical Structure for Rapid
+// Interference Detection", SIGGRAPH 1996; here along the principal axes of the vertices. The tree
+// is the same for every kind of volume, which is then all that differs.
 //
 // Nodes lie in one array in depth-first order; a node whose subtree needs no look leads to the node
 // after it, so that a query needs no stack: Smits, "Efficiency Issues for Ray Tracing", Journal of
 // Graphics Tools 3(2), 1998. Split at the median of the triangles' middles along the longest side
-// of their box. Planes that a box is inside of are not tested again below it: Assarsson and
-// Moeller, 2000.
+// of their box. Planes that a volume is inside of are not tested again below it (Assarsson and
+// Moeller, 2000): all triangles of the subtree are inside of them, be the volumes below it or not.
 //
 // Guarantees: each range of triangles reported gets what visibility() promises, so a rejected range
 // can be left out and an accepted one drawn without clipping. The ranges reported are all
@@ -30,11 +35,30 @@ struct TriangleRange {
   std::uint32_t first = 0, count = 0;
 };
 
+namespace bounds {
+
+// The volume around all of the points.
 template <std::floating_point T>
-class BoxHierarchy {
+void set_around(std::span<const Vec3<T>> points, AxisBox<T>& box) {
+  box = bounding_box(points);
+}
+template <std::floating_point T>
+void set_around(std::span<const Vec3<T>> points, Sphere<T>& sphere) {
+  sphere = bounding_sphere(points);
+}
+template <std::floating_point T>
+void set_around(std::span<const Vec3<T>> points, OrientedBox<T>& box) {
+  box = bounding_oriented_box(points);
+}
+
+}  // namespace bounds
+
+// Volume: AxisBox<T>, Sphere<T> or OrientedBox<T>.
+template <std::floating_point T, class Volume>
+class Hierarchy {
  public:
   struct Node {
-    AxisBox<T> box;
+    Volume volume;
     TriangleRange range;
     std::uint32_t next = 0;  // the first node after the subtree; a leaf's is the one after it
     std::uint32_t level = 0;
@@ -43,25 +67,25 @@ class BoxHierarchy {
   // An upper bound of the levels: each halves the number of triangles, which has 32 bits.
   static constexpr std::uint32_t kMaxLevels = 34;
 
-  BoxHierarchy() = default;
+  Hierarchy() = default;
 
   // Triangle i has the positions of indices 3 i, 3 i + 1 and 3 i + 2. Allocates.
   // Pre-conditions: every index < positions.size(); indices.size() is a multiple of 3 and below
   // 2^32; leaf_size >= 1.
-  BoxHierarchy(std::span<const Vec3<T>> positions, std::span<const std::uint32_t> indices,
-               std::uint32_t leaf_size = 8) {
+  Hierarchy(std::span<const Vec3<T>> positions, std::span<const std::uint32_t> indices,
+            std::uint32_t leaf_size = 8) {
     assert(indices.size() % 3 == 0 && leaf_size >= 1);
     const auto count = static_cast<std::uint32_t>(indices.size() / 3);
     std::vector<AxisBox<T>> boxes;
     boxes.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::array<Vec3<T>, 3> triangle = {
-          positions[indices[3 * i]], positions[indices[3 * i + 1]], positions[indices[3 * i + 2]]};
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::array<Vec3<T>, 3> triangle = corners_of(positions, indices, i);
       boxes.push_back(bounding_box(std::span<const Vec3<T>>(triangle)));
     }
     order_.resize(count);
     std::iota(order_.begin(), order_.end(), 0u);
     if (count > 0) build(boxes, leaf_size);
+    set_volumes(positions, indices);
   }
 
   const std::vector<Node>& nodes() const { return nodes_; }
@@ -76,7 +100,7 @@ class BoxHierarchy {
     for (std::uint32_t i = 0; i < nodes_.size();) {
       const Node& node = nodes_[i];
       PlaneMask mask = masks[node.level];
-      const Visibility answer = visibility(planes, node.box, mask);
+      const Visibility answer = visibility(planes, node.volume, mask);
       const bool is_leaf = node.next == i + 1;
       if (answer != Visibility::look_closer || is_leaf) {
         report(node.range, answer);
@@ -99,14 +123,10 @@ class BoxHierarchy {
     while (!tasks.empty()) {
       const Task task = tasks.back();
       tasks.pop_back();
-      Node node{{}, task.range, 0, task.level};
+      nodes_.push_back({{}, task.range, 0, task.level});
       const auto [first, count] = task.range;
-      for (std::uint32_t i = first; i < first + count; ++i) {
-        node.box = enclose(node.box, boxes[order_[i]]);
-      }
-      nodes_.push_back(node);
       if (count > leaf_size) {
-        split(boxes, node);
+        split(boxes, task.range);
         const std::uint32_t half = count / 2;
         tasks.push_back({{first + half, count - half}, task.level + 1});
         tasks.push_back({{first, half}, task.level + 1});
@@ -115,12 +135,13 @@ class BoxHierarchy {
     link(leaf_size);
   }
 
-  // Puts the half of the node's triangles with the lesser middles first.
-  void split(const std::vector<AxisBox<T>>& boxes, const Node& node) {
+  // Puts the half of the triangles with the lesser middles first.
+  void split(const std::vector<AxisBox<T>>& boxes, const TriangleRange& range) {
+    const auto first = order_.begin() + range.first, last = first + range.count;
+    AxisBox<T> box;
+    for (auto i = first; i != last; ++i) box = enclose(box, boxes[*i]);
     int axis = 0;
-    const auto side = [&](int i) {
-      return T(0.5) * node.box.upper[i] - T(0.5) * node.box.lower[i];
-    };
+    const auto side = [&](int i) { return T(0.5) * box.upper[i] - T(0.5) * box.lower[i]; };
     for (int i = 1; i < 3; ++i) axis = side(i) > side(axis) ? i : axis;
     // Not finite: all boxes of such triangles are infinite both ways; their middle is taken to be
     // 0.
@@ -128,9 +149,32 @@ class BoxHierarchy {
       const T m = T(0.5) * boxes[triangle].lower[axis] + T(0.5) * boxes[triangle].upper[axis];
       return std::isfinite(m) ? m : T(0);
     };
-    const auto first = order_.begin() + node.range.first;
-    std::nth_element(first, first + node.range.count / 2, first + node.range.count,
+    std::nth_element(first, first + range.count / 2, last,
                      [&](std::uint32_t a, std::uint32_t b) { return middle(a) < middle(b); });
+  }
+
+  static std::array<Vec3<T>, 3> corners_of(std::span<const Vec3<T>> positions,
+                                           std::span<const std::uint32_t> indices,
+                                           std::uint32_t triangle) {
+    const std::size_t first = std::size_t{3} * triangle;
+    return {positions[indices[first]], positions[indices[first + 1]],
+            positions[indices[first + 2]]};
+  }
+
+  // Each volume is made around the vertices below it, not around smaller volumes.
+  void set_volumes(std::span<const Vec3<T>> positions, std::span<const std::uint32_t> indices) {
+    std::vector<Vec3<T>> points;
+    points.reserve(indices.size());
+    for (const std::uint32_t triangle : order_) {
+      const std::array<Vec3<T>, 3> corners = corners_of(positions, indices, triangle);
+      points.insert(points.end(), corners.begin(), corners.end());
+    }
+    for (Node& node : nodes_) {
+      const auto [first, count] = node.range;
+      bounds::set_around(
+          std::span<const Vec3<T>>(points).subspan(std::size_t{3} * first, std::size_t{3} * count),
+          node.volume);
+    }
   }
 
   // Sets `next`. The left child of node i is i + 1; the right one comes after the left one's
@@ -145,5 +189,12 @@ class BoxHierarchy {
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
 };
+
+template <std::floating_point T>
+using BoxHierarchy = Hierarchy<T, AxisBox<T>>;
+template <std::floating_point T>
+using SphereHierarchy = Hierarchy<T, Sphere<T>>;
+template <std::floating_point T>
+using OrientedBoxHierarchy = Hierarchy<T, OrientedBox<T>>;
 
 }  // namespace clipscope

@@ -12,7 +12,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "spaces/bounds/enclosure.hpp"
+#include "spaces/bounds/enclosure_arithmetic.hpp"
 #include "spaces/bounds/volumes.hpp"
 
 namespace clipscope {
@@ -31,6 +31,13 @@ struct ScreenRectangle {
     return {-infinity, -infinity, infinity, infinity};
   }
 };
+
+template <std::floating_point T>
+constexpr ScreenRectangle<T> intersection(const ScreenRectangle<T>& a,
+                                          const ScreenRectangle<T>& b) {
+  return {std::max(a.left, b.left), std::max(a.bottom, b.bottom), std::min(a.right, b.right),
+          std::min(a.top, b.top)};
+}
 
 // The corners of a box in clip space: bit 0 of the index chooses lower or upper x, bit 1 y, bit 2
 // z. Any eight points with those twelve edges that are convex in (x, y, w) will do.
@@ -62,27 +69,6 @@ BoxCorners<T> corners(const glm::mat<4, 4, T, glm::defaultp>& to_clip, const Axi
   }
   return r;
 }
-
-namespace bounds {
-
-// A double as T: nearest, or if outward the nearest that isn't above (below) it.
-template <std::floating_point T>
-T nearest(double v) {
-  constexpr T infinity = std::numeric_limits<T>::infinity();
-  constexpr double most = std::numeric_limits<T>::max();
-  return v > most ? infinity : (v < -most ? -infinity : static_cast<T>(v));
-}
-template <std::floating_point T>
-T rounded_down(double v, Rounding rounding) {
-  const T r = nearest<T>(v);
-  return rounding == Rounding::outward && r > v ? next_below(r) : r;
-}
-template <std::floating_point T>
-T rounded_up(double v, Rounding rounding) {
-  return -rounded_down<T>(-v, rounding);
-}
-
-}  // namespace bounds
 
 // NDC to px: x_px = left + (x + 1) / 2 * (right - left), likewise y from bottom to top. `viewport`
 // is where NDC -1 and 1 come to lie; where y_px points down its bottom is greater than its top.

@@ -25,9 +25,9 @@
 // come out of the rounded matrix a few ulps beyond +-w. Use the planes of its projection there.
 //
 // Does not guarantee: that a volume which is outside is rejected. Boxes near edges and corners of
-// the frustum may be outside without being outside of one plane, and a volume that comes within
-// rounding of a plane (touches it, say) gets look_closer. Pre-condition for more than look_closer:
-// finite planes.
+// the frustum may be outside without being outside of one plane (separating_axes.hpp settles
+// them), and a volume that comes within rounding of a plane (touches it, say) gets look_closer.
+// Pre-condition for more than look_closer: finite planes.
 #pragma once
 
 #include <cstdint>
@@ -123,38 +123,32 @@ constexpr bool are_disjoint(const AxisBox<T>& a, const AxisBox<T>& b) {
   return false;
 }
 
+// Whether the volume lies beside the view volume's own box; known of boxes.
+template <std::floating_point T, class Volume>
+constexpr bool is_beyond_reach(const CullingPlanes<T>&, const Volume&) {
+  return false;
+}
+template <std::floating_point T>
+constexpr bool is_beyond_reach(const CullingPlanes<T>& planes, const AxisBox<T>& box) {
+  return are_disjoint(planes.reach, box);
+}
+
 }  // namespace bounds
 
-// The same for a box inside another one: `mask` holds the planes that the outer box is not known to
-// be inside of, and receives those of this box. The answer is rejected, or accepted if none is
-// left.
-template <std::floating_point T>
-Visibility visibility(const CullingPlanes<T>& planes, const AxisBox<T>& box, PlaneMask& mask) {
-  if (!is_finite(box)) return Visibility::look_closer;
-  if (is_empty(box) || bounds::are_disjoint(planes.reach, box)) return Visibility::rejected;
-  return bounds::against_planes(planes, box, mask);
+// The same for what is known to be inside of some planes, as a part of something larger is: `mask`
+// holds the planes of which that is not known, and receives those of this volume. The answer is
+// rejected, or accepted if none is left.
+template <std::floating_point T, class Volume>
+Visibility visibility(const CullingPlanes<T>& planes, const Volume& volume, PlaneMask& mask) {
+  if (!is_finite(volume)) return Visibility::look_closer;
+  if (is_empty(volume) || bounds::is_beyond_reach(planes, volume)) return Visibility::rejected;
+  return bounds::against_planes(planes, volume, mask);
 }
 
-template <std::floating_point T>
-Visibility visibility(const CullingPlanes<T>& planes, const AxisBox<T>& box) {
+template <std::floating_point T, class Volume>
+Visibility visibility(const CullingPlanes<T>& planes, const Volume& volume) {
   PlaneMask mask = all_planes(planes);
-  return visibility(planes, box, mask);
-}
-
-template <std::floating_point T>
-Visibility visibility(const CullingPlanes<T>& planes, const Sphere<T>& sphere) {
-  if (!is_finite(sphere)) return Visibility::look_closer;
-  if (is_empty(sphere)) return Visibility::rejected;
-  PlaneMask mask = all_planes(planes);
-  return bounds::against_planes(planes, sphere, mask);
-}
-
-template <std::floating_point T>
-Visibility visibility(const CullingPlanes<T>& planes, const OrientedBox<T>& box) {
-  if (!is_finite(box)) return Visibility::look_closer;
-  if (is_empty(box)) return Visibility::rejected;
-  PlaneMask mask = all_planes(planes);
-  return bounds::against_planes(planes, box, mask);
+  return visibility(planes, volume, mask);
 }
 
 }  // namespace clipscope

@@ -316,7 +316,8 @@ struct Answers {
   bool in_order = true;
 };
 
-Answers answers(const BoxHierarchy<float>& hierarchy, const CullingPlanes<float>& planes) {
+template <class Volume>
+Answers answers(const Hierarchy<float, Volume>& hierarchy, const CullingPlanes<float>& planes) {
   Answers r;
   r.of_triangle.resize(hierarchy.order().size());
   hierarchy.query(planes, [&](TriangleRange range, Visibility answer) {
@@ -331,15 +332,17 @@ Answers answers(const BoxHierarchy<float>& hierarchy, const CullingPlanes<float>
 
 }  // namespace
 
-TEST_CASE("bounds: a hierarchy reports every triangle once, in order") {
+TEMPLATE_TEST_CASE("bounds: a hierarchy reports every triangle once, in order", "", AxisBox<float>,
+                   Sphere<float>, OrientedBox<float>) {
   const Strip s = strip(-64, 64);
-  const BoxHierarchy<float> hierarchy(s.positions, s.indices, 2);
+  const Hierarchy<float, TestType> hierarchy(s.positions, s.indices, 2);
   const Answers r = answers(hierarchy, unit_planes());
   CHECK(r.seen == 256);
   CHECK(r.in_order);
   for (int x = -64; x < 64; ++x) {
     const Visibility answer = r.of_triangle[static_cast<std::size_t>(2 * (x + 64))];
-    if (x < -6 || x >= 6) CHECK(answer == Visibility::rejected);  // the sides are at x = +-5
+    // The sides are at x = +-5; a sphere around a square reaches 0.21 beyond it.
+    if (x < -6 || x >= 6) CHECK(answer == Visibility::rejected);
     if (x >= -4 && x < 4) CHECK(answer == Visibility::accepted);
     if (x == -5 || x == 4) CHECK(answer == Visibility::look_closer);
   }
@@ -372,21 +375,36 @@ TEST_CASE("bounds: a hierarchy's nodes contain their children and end in leaves"
     CHECK(left.range.first == nodes[i].range.first);
     CHECK(right.range.first == left.range.first + left.range.count);
     CHECK(left.range.count + right.range.count == nodes[i].range.count);
-    const auto both = enclose(left.box, right.box);
-    CHECK(both.lower == nodes[i].box.lower);
-    CHECK(both.upper == nodes[i].box.upper);
+    const auto both = enclose(left.volume, right.volume);
+    CHECK(both.lower == nodes[i].volume.lower);
+    CHECK(both.upper == nodes[i].volume.upper);
   }
 }
 
-TEST_CASE("bounds: a triangle that isn't finite gets a closer look, others are judged as before") {
+TEMPLATE_TEST_CASE(
+    "bounds: a triangle that isn't finite gets a closer look, others are judged as before", "",
+    AxisBox<float>, Sphere<float>, OrientedBox<float>) {
   Strip s = strip(-100, 100);
   s.positions[0][1] = kNan;
-  const BoxHierarchy<float> hierarchy(s.positions, s.indices, 2);
+  const Hierarchy<float, TestType> hierarchy(s.positions, s.indices, 2);
   const Answers r = answers(hierarchy, unit_planes());
   CHECK(r.seen == 400);
   CHECK(r.of_triangle[0] == Visibility::look_closer);
   CHECK(r.of_triangle[10] == Visibility::rejected);
   CHECK(r.of_triangle[200] == Visibility::accepted);
+}
+
+TEST_CASE("bounds: hierarchies of every kind have the same tree") {
+  const Strip s = strip(-50, 70);
+  const BoxHierarchy<float> boxes(s.positions, s.indices, 3);
+  const OrientedBoxHierarchy<float> oriented_boxes(s.positions, s.indices, 3);
+  CHECK(boxes.order() == oriented_boxes.order());
+  CHECK(boxes.order() == SphereHierarchy<float>(s.positions, s.indices, 3).order());
+  REQUIRE(boxes.nodes().size() == oriented_boxes.nodes().size());
+  for (std::size_t i = 0; i < boxes.nodes().size(); ++i) {
+    CHECK(boxes.nodes()[i].range.first == oriented_boxes.nodes()[i].range.first);
+    CHECK(boxes.nodes()[i].next == oriented_boxes.nodes()[i].next);
+  }
 }
 
 TEST_CASE("bounds: hierarchies of no triangle, of one and of equal ones") {

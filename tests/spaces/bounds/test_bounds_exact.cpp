@@ -375,7 +375,9 @@ TEMPLATE_TEST_CASE("bounds: no promise breaks where results underflow and are fl
 }
 #endif
 
-TEST_CASE("bounds: a hierarchy rejects no triangle that is visible and accepts none that is cut") {
+TEMPLATE_TEST_CASE(
+    "bounds: a hierarchy rejects no triangle that is visible and accepts none that is cut", "",
+    AxisBox<float>, Sphere<float>, OrientedBox<float>) {
   Random random(10);
   long rejected = 0, accepted = 0, wrong = 0;
   for (int n = 0; n < 60; ++n) {
@@ -391,7 +393,7 @@ TEST_CASE("bounds: a hierarchy rejects no triangle that is visible and accepts n
       positions.push_back(base + size * place.outwards);
       indices.push_back(i);
     }
-    const BoxHierarchy<float> hierarchy(positions, indices, 2);
+    const Hierarchy<float, TestType> hierarchy(positions, indices, 2);
     std::uint32_t seen = 0;
     hierarchy.query(planes, [&](TriangleRange range, Visibility answer) {
       wrong += range.first != seen ? 1 : 0;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -88,6 +89,26 @@ struct LineShape {
                        options.attributes);
   }
 };
+
+// A ring as GeoJSON has it, its last vertex the first one again, is the polygon without that.
+void open_ring(std::vector<double>& values, std::size_t per_vertex) {
+  const auto size = static_cast<std::ptrdiff_t>(per_vertex);
+  const bool is_ring = values.size() > 3 * per_vertex &&
+                       std::equal(values.begin(), values.begin() + size, values.end() - size);
+  if (is_ring) values.resize(values.size() - per_vertex);
+}
+
+// Gives all vertices the last `flat` numbers of the provoking one.
+void make_flat(std::vector<double>& values, std::size_t per_vertex,
+               const PrimitiveTextOptions& options) {
+  const auto flat = static_cast<std::ptrdiff_t>(options.flat);
+  const auto stride = static_cast<std::ptrdiff_t>(per_vertex);
+  const auto size = static_cast<std::ptrdiff_t>(values.size());
+  const std::ptrdiff_t end = options.provoking == "last" ? size : stride;
+  for (std::ptrdiff_t v = stride; v <= size; v += stride) {
+    std::copy_n(values.begin() + end - flat, flat, values.begin() + v - flat);
+  }
+}
 
 std::vector<TextLine> lines_of(const std::string& source, std::string_view text) {
   std::vector<TextLine> lines;
@@ -225,6 +246,13 @@ void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options
                      "Scalar to compute in (see `clipscope list scalars`) [float]");
   add_option(command, "--attributes", options.attributes, "K", "Attributes per vertex [0]")
       ->check(CLI::Range(0, kMaxAttributes));
+  add_option(command, "--flat", options.flat, "N",
+             "The last N attributes are flat: all of a primitive has those of one vertex [0]")
+      ->check(CLI::Range(0, kMaxAttributes));
+  command
+      .add_option("--provoking", options.provoking,
+                  "The vertex that gives the flat attributes: first or last [first]")
+      ->check(CLI::IsMember({"first", "last"}));
   add_projection_options(command, options);
   add_option(command, "file", options.file, "FILE", "Primitives, one per line [standard input]");
 }
@@ -257,6 +285,10 @@ std::vector<TextLine> read_lines(const std::string& path) {
 
 std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
                                            Primitive primitive) {
+  if (options.flat > options.attributes) {
+    usage_error("--flat: {} asked for, but --attributes gives {} per vertex", options.flat,
+                options.attributes);
+  }
   const std::size_t dimension = options.space == "view" ? 3 : 4;
   const LineShape shape{primitive, dimension,
                         dimension + static_cast<std::size_t>(options.attributes)};
@@ -269,6 +301,8 @@ std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
     for (const std::string& word : line.words) {
       values.push_back(parse_number(word, reads_floats(options), line.place));
     }
+    if (primitive == Primitive::polygon) open_ring(values, shape.per_vertex);
+    make_flat(values, shape.per_vertex, options);
   }
   return primitives;
 }

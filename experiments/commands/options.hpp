@@ -147,7 +147,9 @@ struct PrimitiveTextOptions : LensOptions {
   std::string scalar = "float";
   int attributes = 0;
   DepthRange depth = DepthRange::minus_one_to_one;
-  std::string file = "-";  // "-": standard input
+  int flat = 0;                     // so many of the last attributes have one value per primitive:
+  std::string provoking = "first";  // that of its first or last vertex
+  std::string file = "-";           // "-": standard input
 };
 
 // What is clipped against: --perspective and so on, and --depth.
@@ -168,13 +170,24 @@ struct TextPrimitive {
 
 // What clips beside the planes of a projection: --depth-clamp, --clip-distances and --plane.
 struct VolumeOptions {
-  bool depth_clamp = false;
+  DepthClamp depth_clamp = {};
   int clip_distances = 0;
   std::vector<std::array<double, 4>> planes;
 };
 
 void add_volume_options(CLI::App& command, VolumeOptions& options);
 void add_primitive_option(CLI::App& command, Primitive& primitive);
+
+// Pixels of a viewport from its lower left corner on, y upwards.
+struct Scissor {
+  double x, y, width, height;
+  std::array<double, 2> viewport = {0, 0};
+};
+// Errors: CLI::ValidationError unless they are finite and the sides are positive.
+Scissor parse_scissor(const std::vector<double>& numbers);
+// The four sides of the closed rectangle as user clip planes in the space of the batch. In clip
+// space they are exact for whole numbers of pixels; in view space each coefficient is rounded once.
+std::vector<std::array<double, 4>> scissor_planes(const Scissor& scissor, const Batch& batch);
 
 // Whether the format can hold the number, rounded.
 bool is_finite_in(const Format& format, double x);

@@ -61,7 +61,7 @@ ExactRows exact(const MatrixRows<double>& rows) {
   return r;
 }
 
-double to_double(const Rational& x) { return x.get_d(); }
+double to_double(const Rational& x) { return reference::round_to<double>(x); }
 
 Rational dot(const Exact3& a, const Exact3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Rational dot(const Exact4& a, const Exact4& b) {

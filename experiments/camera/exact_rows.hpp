@@ -20,7 +20,7 @@ using ExactRows = std::array<Exact4, 4>;
 // The rows' exact values. Pre-condition: they are finite.
 ExactRows exact(const MatrixRows<double>& rows);
 
-// Truncated: within one ulp, which is what lengths and angles shown to people need.
+// The nearest double.
 double to_double(const Rational& x);
 Rational dot(const Exact3& a, const Exact3& b);
 Rational dot(const Exact4& a, const Exact4& b);

@@ -124,12 +124,14 @@ DepthReading reading_by(const CameraMatrix& matrix, DepthRange depth) {
   };
   set(r.near, near);
   set(r.far, far);
+  const bool perspective = frame_of(rows, depth).perspective;
+  // A far plane behind the eye has everything in front of near on its inner side.
+  if (perspective && r.near.value > 0 && r.far.value < 0) r.far = {kInfinity, kInfinity, kInfinity};
   for_each_neighbour(matrix, [&](const ExactRows& moved) {
     if (camera::rank(moved) < 4) return;
     widen(r.near, distance_to_depth(moved, depth, near), false);
-    widen(r.far, distance_to_depth(moved, depth, far), frame_of(rows, depth).perspective);
+    widen(r.far, distance_to_depth(moved, depth, far), perspective);
   });
-  const bool perspective = frame_of(rows, depth).perspective;
   r.encloses_volume = r.near.value < r.far.value && (!perspective || r.near.value > 0);
   return r;
 }

@@ -33,7 +33,8 @@ struct Ranged {
 };
 
 // near and far under one depth convention: distances from the eye along the view direction, of a
-// parallel projection from the plane through the origin. far may be infinite.
+// parallel projection from the plane through the origin. far is infinite, too, where rounding put
+// the far plane beyond infinity, behind the eye: all in front of near is inside then.
 struct DepthReading {
   DepthRange depth = DepthRange::minus_one_to_one;
   Ranged near = {}, far = {};

@@ -69,7 +69,7 @@ Given of_frustum(Frustum<double> f, const CameraCommand& options, std::string or
 
 Given given_camera(const CameraCommand& options) {
   if (!options.gltf) {
-    const auto& [name, numbers] = given_projection(options.lens, "");
+    const auto& [name, numbers] = given_projection(options.lens, "camera takes");
     if (name == "--matrix") return given_matrix(numbers, options);
     return of_frustum(given_frustum(options.lens), options, name.substr(2));
   }

@@ -90,6 +90,16 @@ TEST_CASE("meaning: an infinite far plane of whole numbers is exact, and at infi
   CHECK(m.planes[static_cast<std::size_t>(Plane::far)].at_infinity);
 }
 
+TEST_CASE("meaning: a far plane that rounding put behind the eye bounds nothing") {
+  // One float less than 1: the far plane lies at a negative distance.
+  MatrixRows<double> rows = infinite_far();
+  rows[2][2] = -double{std::nextafter(1.0f, 0.0f)};
+  const MatrixMeaning m = meaning_of({rows}, {});
+  CHECK(m.depth == DepthRange::minus_one_to_one);
+  CHECK(m.reading().encloses_volume);
+  CHECK(m.reading().far.value == kInfinity);
+}
+
 TEST_CASE("meaning: y down turns up over, and the hand with it") {
   MatrixRows<double> rows = infinite_far();
   rows[1] = -rows[1];

@@ -215,10 +215,10 @@ Matrix projection_matrix(const Projection<float>& p) {
 std::vector<Vector> forms_of(const ClipVolume& volume, const Vector& x, const Vector& y,
                              const Vector& z, const Vector& w) {
   std::vector<Vector> forms = {w + x, w - x, w + y, w - y};
-  if (!volume.depth_clamp) {
-    forms.push_back(w - z);
-    forms.push_back(volume.depth == DepthRange::minus_one_to_one ? w + z : z);
-  }
+  const Vector low = volume.depth == DepthRange::minus_one_to_one ? w + z : z, high = w - z;
+  const bool reversed = volume.depth == DepthRange::reversed;
+  if (!volume.depth_clamp.near) forms.push_back(reversed ? high : low);
+  if (!volume.depth_clamp.far) forms.push_back(reversed ? low : high);
   return forms;
 }
 
@@ -366,8 +366,8 @@ std::vector<RationalVertex> gold_of_frustum(const Frustum<double>& frustum,
   const Rational horizon = beyond(triangle) + to_rational(abs(frustum.near));
   const bool perspective = frustum.kind == ProjectionKind::perspective;
   Rational first = to_rational(frustum.near);
-  if (volume.depth_clamp) first = perspective ? Rational(0) : Rational(-horizon);
-  const bool endless = volume.depth_clamp || frustum.infinite_far;
+  if (volume.depth_clamp.near) first = perspective ? Rational(0) : Rational(-horizon);
+  const bool endless = volume.depth_clamp.far || frustum.infinite_far;
   const Rational last = endless ? horizon : to_rational(frustum.far);
   const Corners corners = view_corners(triangle);
   const Nef part = facet(corners) * convex_hull(frustum_corners(frustum, first, last));

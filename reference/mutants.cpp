@@ -72,7 +72,8 @@ class Textbook {
 
  private:
   bool is_skipped(int plane) const {
-    const bool clamped = volume_.depth_clamp && plane >= kNear && plane < kSixPlanes;
+    const bool clamped = (volume_.depth_clamp.near && plane == kNear) ||
+                         (volume_.depth_clamp.far && plane == kNear + 1);
     return clamped || plane == static_cast<int>(bug_) - static_cast<int>(Bug::skips_left);
   }
 

@@ -255,8 +255,10 @@ Dyadic ProjectionForm::value(const InputVertex& vertex) const {
 
 // The six in the order of Plane, an infinite far plane missing.
 void Truth::set_half_spaces(std::vector<HalfSpace> six) {
+  constexpr int kNear = 4, kFar = 5;
   half_spaces_ = std::move(six);
-  if (volume_.depth_clamp) half_spaces_.resize(4);
+  if (volume_.depth_clamp.far) half_spaces_.resize(kFar);
+  if (volume_.depth_clamp.near) half_spaces_.erase(half_spaces_.begin() + kNear);
   for (HalfSpace& half_space : half_spaces_) drop_zero_terms(half_space.form);
   for (int i = 0; i < volume_.clip_distances; ++i) {
     half_spaces_.push_back({{{1, kFirstAttribute + i}}});

@@ -18,8 +18,8 @@
 //
 // and of clip space w + x, w - x, w + y, w - y, and by depth range z + w or z, and w - z.
 //
-// Options of the volume (spaces/volume.hpp): with depth clamp near and far are left out. The sides
-// then leave w >= 0 by themselves: (w + x) + (w - x) = 2 w. A clip distance is the form of an
+// Options of the volume (spaces/volume.hpp): a plane of depth that is clamped is left out. The
+// sides leave w >= 0 by themselves: (w + x) + (w - x) = 2 w. A clip distance is the form of an
 // attribute.
 #pragma once
 
@@ -132,7 +132,7 @@ class Truth {
   std::array<Rational, 4> clip_position(const InputVertex& vertex) const;
 
   // The half-spaces of the volume in the order of Plane, then the clip distances and further
-  // planes; and w. Absent are near and far with depth clamp, and the infinite far plane of a
+  // planes; and w. Absent are near and far where they are clamped, and the infinite far plane of a
   // frustum's truth. An outward inset appends w >= 0.
   struct HalfSpace {
     LinearForm form;

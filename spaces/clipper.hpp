@@ -64,6 +64,12 @@ struct Promise {
   bool rotation_invariant = true;  // the same vertices whichever of the input's vertices is first
   bool scale_invariant =
       true;  // the same for homogeneous coordinates (or view-space lengths) times 2^k
+  // An attribute that has one value at all vertices of the primitive has that value at all vertices
+  // of the polygon. 0 equals -0.
+  bool constants = true;
+  // Every |x| and |y| is at most 1, and every z is in its range where near and far clip. Not in
+  // double-double, whose quotient of two numbers may round beyond that of larger ones.
+  bool confined = false;
   // Every coordinate, 1/w and attribute is the exact one rounded once, to nearest, ties to even,
   // and the vertices are those of the exact polygon, some of them repeated where it has no area;
   // nothing where z rounds to infinity. The truth of view-space triangles is that of the frustum's

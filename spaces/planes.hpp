@@ -44,7 +44,9 @@ constexpr Outcode bit(Plane plane) { return Outcode{1} << static_cast<int>(plane
 // The planes that clip in this volume.
 constexpr Outcode planes_of(const ClipVolume& volume) {
   const Outcode all = (Outcode{1} << (kPlanes + volume.clip_distances)) - 1;
-  return volume.depth_clamp ? all & ~(bit(Plane::near) | bit(Plane::far)) : all;
+  const Outcode near = volume.depth_clamp.near ? bit(Plane::near) : 0;
+  const Outcode far = volume.depth_clamp.far ? bit(Plane::far) : 0;
+  return all & ~(near | far);
 }
 
 // The value of a user clip plane (a, b, c, d) at a point, for use as a clip distance: inside is

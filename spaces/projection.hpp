@@ -182,6 +182,13 @@ struct Projection {
 template <Scalar T>
 using MatrixRows = std::array<Vec4<T>, 4>;
 
+template <Scalar T>
+constexpr MatrixRows<T> rows_of(const Projection<T>& p) {
+  const T o(0);
+  return {Vec4<T>(p.x.own, o, p.x.z, p.x.one), Vec4<T>(o, p.y.own, p.y.z, p.y.one),
+          Vec4<T>(o, o, p.z.z, p.z.one), Vec4<T>(o, o, p.w.z, p.w.one)};
+}
+
 // The same matrix in another scalar; exact where T can hold the numbers given.
 template <Scalar T, Scalar U>
 constexpr MatrixRows<T> matrix_cast(const MatrixRows<U>& rows) {

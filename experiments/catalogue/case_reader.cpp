@@ -204,8 +204,12 @@ class CaseReader {
   }
 
   void read_depth_clamp() {
-    require_words(1, "depth_clamp");
-    case_.volume.depth_clamp = true;
+    const bool is_alone = text_.words().size() == 1;
+    if (!is_alone) require_words(2, "depth_clamp [near|far]");
+    const std::string_view plane = is_alone ? "" : text_.word(1);
+    require(is_alone || plane == "near" || plane == "far",
+            "found '{}'; expected 'depth_clamp', for both planes, or it and near or far", plane);
+    case_.volume.depth_clamp = {plane != "far", plane != "near"};
   }
 
   void read_clip_distances() {

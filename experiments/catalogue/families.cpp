@@ -104,6 +104,8 @@ void add_with_depth(Family& family, std::string_view label, DepthRange depth) {
   family.add(label, std::move(c));
 }
 
+// In clip space near and far exchange their places by the sign of z or by another depth range, and
+// so does what is clamped.
 void add_other_depths(Family& family) {
   HardCase c = family.original();
   const DepthRange depth = c.volume.depth;
@@ -111,12 +113,16 @@ void add_other_depths(Family& family) {
     add_with_depth(family, "depth gl", DepthRange::minus_one_to_one);
     add_with_depth(family, "depth zero_to_one", DepthRange::zero_to_one);
     add_with_depth(family, "depth reversed", DepthRange::reversed);
-  } else if (depth == DepthRange::minus_one_to_one) {
+    return;
+  }
+  std::swap(c.volume.depth_clamp.near, c.volume.depth_clamp.far);
+  if (depth == DepthRange::minus_one_to_one) {
     for (InputVertex& v : c.vertices) v.position[2] = -v.position[2];
     family.add("depth mirrored", std::move(c));
   } else {
-    add_with_depth(family, "near and far exchanged",
-                   depth == DepthRange::reversed ? DepthRange::zero_to_one : DepthRange::reversed);
+    c.frustum.depth = c.volume.depth =
+        depth == DepthRange::reversed ? DepthRange::zero_to_one : DepthRange::reversed;
+    family.add("near and far exchanged", std::move(c));
   }
 }
 

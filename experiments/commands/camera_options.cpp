@@ -103,10 +103,14 @@ void add_matrix_order(CLI::App& command, bool& by_columns, const std::string& gr
 }
 
 CLI::Option* add_depth_option(CLI::App& command, DepthRange& depth) {
-  const auto set = [&depth](const std::string& name) {
-    depth = name == "zero_to_one" ? DepthRange::zero_to_one
-            : name == "reversed"  ? DepthRange::reversed
-                                  : DepthRange::minus_one_to_one;
+  return add_depth_option(command, [&depth](DepthRange d) { depth = d; });
+}
+
+CLI::Option* add_depth_option(CLI::App& command, std::function<void(DepthRange)> take) {
+  const auto set = [take = std::move(take)](const std::string& name) {
+    take(name == "zero_to_one" ? DepthRange::zero_to_one
+         : name == "reversed"  ? DepthRange::reversed
+                               : DepthRange::minus_one_to_one);
   };
   return command
       .add_option_function<std::string>(

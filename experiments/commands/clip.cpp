@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdio>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 
 #include "experiments/commands/options.hpp"
 #include "experiments/contestants/contestant.hpp"
+#include "experiments/scenes/flatness.hpp"
 #include "experiments/scenes/triangulate.hpp"
 #include "experiments/selection/select.hpp"
 #include "experiments/table/hex_float.hpp"
@@ -27,7 +29,9 @@ struct ClipOptions {
   PrimitiveTextOptions text;
   std::string clipper;  // empty: default_clipper(primitive)
   VolumeOptions volume;
-  PointOptions point{.size = 0, .viewport = {0, 0}};  // 0: not given
+  std::optional<double> point_size;
+  std::optional<std::array<double, 2>> viewport;
+  std::optional<Scissor> scissor;      // whose viewport is not filled
   bool hex = false, fraction = false;  // how numbers are written: decimal without either
 };
 
@@ -36,11 +40,11 @@ Batch batch_without_primitives(const ClipOptions& options, const Contestant& con
   const Format& format = *contestant.format;
   Batch batch = described_batch(options.text);
   set_volume(options.volume, format, batch);
-  if (!is_finite_in(format, options.point.size)) {
-    usage_error("--point-size: {} is not finite in {}", options.point.size, format.name);
+  if (options.point_size && !is_finite_in(format, *options.point_size)) {
+    usage_error("--point-size: {} is not finite in {}", *options.point_size, format.name);
   }
   batch.vertices = contestant.vertices;
-  if (options.point.viewport[0] != 0) batch.point = options.point;
+  if (options.point_size) batch.point = PointOptions{*options.point_size, *options.viewport};
   return batch;
 }
 
@@ -66,20 +70,49 @@ struct Part {
   std::vector<double> values;
 };
 
+// The polygons that do not lie in a plane.
+struct NotFlat {
+  std::size_t count = 0;
+  std::string place;  // of the one that is farthest off
+  Departure largest;
+
+  void add(const std::string& polygon_place, const Departure& departure) {
+    if (departure.is_flat()) return;
+    ++count;
+    if (departure.distance <= largest.distance) return;
+    place = polygon_place;
+    largest = departure;
+  }
+  // Which surface was clipped is for the user to know.
+  void report() const {
+    if (count == 0) return;
+    fmt::print(
+        stderr,
+        "clipscope: note: {} not flat and clipped as triangles, whose diagonals are chosen here; the most at {}, where vertex {} (counted from 0) is {:.3g} off the plane of others; give triangles to choose the diagonals\n",
+        count == 1 ? "1 polygon is" : fmt::format("{} polygons are", count), place, largest.vertex,
+        largest.distance);
+  }
+};
+
 // What a polygon is clipped in: its convex parts if it may stay whole, else its triangles.
 // D: coordinates of a vertex; stride: all its numbers. Errors: InputError.
 template <std::size_t D>
-std::vector<IndexPolygon> parts_of(const TextPrimitive& polygon, std::size_t stride, bool whole) {
+std::vector<IndexPolygon> parts_of(const TextPrimitive& polygon, std::size_t stride, bool whole,
+                                   NotFlat& not_flat) {
   std::vector<std::array<double, D>> points(polygon.values.size() / stride);
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::copy_n(&polygon.values[i * stride], D, points[i].begin());
   }
   const std::span<const std::array<double, D>> corners = points;
-  if (whole) return convex_parts(corners, polygon.place);
   std::vector<IndexPolygon> parts;
-  for (const IndexTriangle& t : triangulate(corners, polygon.place)) {
-    parts.emplace_back(t.begin(), t.end());
+  if (whole) {
+    parts = convex_parts(corners, polygon.place);
+  } else {
+    for (const IndexTriangle& t : triangulate(corners, polygon.place)) {
+      parts.emplace_back(t.begin(), t.end());
+    }
   }
+  not_flat.add(polygon.place, departure_from_plane(corners));
   return parts;
 }
 
@@ -88,6 +121,7 @@ std::vector<Part> read_parts(const ClipOptions& options, const Batch& batch) {
   std::vector<TextPrimitive> primitives = read_primitives(options.text, options.primitive);
   const auto parts_of_polygon = batch.space == Space::view ? parts_of<3> : parts_of<4>;
   std::vector<Part> parts;
+  NotFlat not_flat;
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     std::vector<double>& values = primitives[i].values;
     if (options.primitive != Primitive::polygon) {
@@ -96,7 +130,7 @@ std::vector<Part> read_parts(const ClipOptions& options, const Batch& batch) {
     }
     int number = 0;
     for (const IndexPolygon& indices :
-         parts_of_polygon(primitives[i], batch.stride(), batch.vertices == 0)) {
+         parts_of_polygon(primitives[i], batch.stride(), batch.vertices == 0, not_flat)) {
       Part& part = parts.emplace_back(Part{fmt::format("{},{}", i, number++), {}});
       for (const int v : indices) {
         const double* first = &values[static_cast<std::size_t>(v) * batch.stride()];
@@ -104,6 +138,7 @@ std::vector<Part> read_parts(const ClipOptions& options, const Batch& batch) {
       }
     }
   }
+  not_flat.report();
   return parts;
 }
 
@@ -164,11 +199,27 @@ void write_out(const std::string& text) {
   }
 }
 
-int clip_text(ClipOptions options) {
-  if (options.primitive != Primitive::point && options.point.viewport[0] != 0) {
-    usage_error("--point-size and --viewport go with --primitive point, not {}",
-                to_string(options.primitive));
+// Errors: UsageError if an option is given without that which it is for.
+void check_viewport(const ClipOptions& options) {
+  if (options.point_size && options.primitive != Primitive::point) {
+    usage_error("--point-size goes with --primitive point, not {}", to_string(options.primitive));
   }
+  if (options.viewport && !options.point_size && !options.scissor) {
+    usage_error("--viewport goes with --scissor or --point-size; neither is given");
+  }
+}
+
+// The sides of the scissor rectangle become user planes.
+void add_scissor_planes(ClipOptions& options) {
+  if (!options.scissor) return;
+  options.scissor->viewport = *options.viewport;
+  std::ranges::copy(scissor_planes(*options.scissor, described_batch(options.text)),
+                    std::back_inserter(options.volume.planes));
+}
+
+int clip_text(ClipOptions options) {
+  check_viewport(options);
+  add_scissor_planes(options);
   if (options.clipper.empty()) options.clipper = default_clipper(options.primitive);
   const Contestant& contestant = chosen_clipper(options);
   const Batch batch = batch_without_primitives(options, contestant);
@@ -187,23 +238,31 @@ int clip_text(ClipOptions options) {
   return kExitOk;
 }
 
-void add_point_options(CLI::App& command, ClipOptions& options) {
-  CLI::Option* size = add_option(command, "--point-size", options.point.size, "PX",
+// Those that count in pixels.
+void add_viewport_options(CLI::App& command, ClipOptions& options) {
+  CLI::Option* size = add_option(command, "--point-size", options.point_size, "PX",
                                  "Side of a point's square in pixels, for point/pop_free [0]")
                           ->check(CLI::NonNegativeNumber);
+  const auto set_scissor = [&options](const std::vector<double>& numbers) {
+    options.scissor = parse_scissor(numbers);
+  };
+  CLI::Option* scissor = add_number_list(
+      command, "--scissor", 4, "X,Y,W,H", set_scissor,
+      "Clip to a rectangle of the viewport, X,Y its lower left corner in pixels, y upwards; counts as 4 planes");
   const auto set = [&options](const std::array<double, 2>& viewport) {
-    options.point.viewport = viewport;
+    options.viewport = viewport;
   };
   CLI::Option* viewport =
       add_viewport_option(command, set, "Size in pixels of what the volume is drawn to");
   size->needs(viewport);
-  viewport->needs(size);
+  scissor->needs(viewport);
 }
 
 constexpr const char* kClipFooter =
     R"(Input, a primitive per line: its vertices, each x y z (view) or x y z w (clip) and its K
 attributes, decimal or C99 hex floats, separated by blanks or commas; # starts a comment. A
-polygon has 3 vertices or more.
+polygon has 3 vertices or more; its first one may be there again as the last. One that is not flat
+is clipped as triangles, and a note on standard error says so.
 Output: triangle,vertex,x,y,z,inv_w,a0,... one row per vertex of what is left, coordinates in
 NDC; segment,vertex,... and point,vertex,... likewise, and polygon,part,vertex,...: a concave
 polygon is triangulated and its triangles are clipped, as all polygons are by a clipper of
@@ -214,6 +273,8 @@ the scalar exact answers is written as the nearest double; --fraction writes all
 Examples:
   echo '-2 0 0 1  2 0 0 1' | clipscope clip --space clip --primitive segment --plane 1,0,0,0.5
   echo '1 0 0 3  0 1 0 3  0 0 1 3' | clipscope clip --space clip --scalar exact --fraction
+  echo '-4 0 0 4  4 0 0 4  0 2 0 4' | clipscope clip --space clip --viewport 8x8 --scissor 0,0,4,8
+  echo '0 0 0 1 5  2 0 0 1 6  0 2 0 1 7' | clipscope clip --space clip --attributes 1 --flat 1
   echo '0 0 0 1 7  2 0 0 1 -1  0 .5 0 1 7' | clipscope clip --space clip --attributes 1 --clip-distances 1
   echo '1.1 0 0 1' | clipscope clip --space clip --primitive point --clipper pop_free --point-size 32 --viewport 256x256)";
 
@@ -226,7 +287,7 @@ void add_clip_command(CLI::App& app, Action& action) {
   add_primitive_text_options(command, options.text);
   add_option(command, "--clipper", options.clipper, "NAME", "Name of a clipper [see below]");
   add_volume_options(command, options.volume);
-  add_point_options(command, options);
+  add_viewport_options(command, options);
   CLI::Option* hex = command.add_flag("--hex", options.hex, "Write hex floats");
   command
       .add_flag("--fraction", options.fraction,

@@ -29,6 +29,7 @@ void add_verify_command(CLI::App& app, Action& action);
 void add_clip_command(CLI::App& app, Action& action);
 void add_explain_command(CLI::App& app, Action& action);
 void add_bounds_command(CLI::App& app, Action& action);
+void add_camera_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
 void add_plan_command(CLI::App& app, Action& action);
 void add_sweep_command(CLI::App& app, Action& action);

@@ -39,6 +39,8 @@ std::string promise_text(const Promise& promise) {
                                     {promise.watertight, "watertight"},
                                     {promise.rotation_invariant, "rotation"},
                                     {promise.scale_invariant, "scale"},
+                                    {promise.constants, "constants"},
+                                    {promise.confined, "confined"},
                                     {promise.correctly_rounded, "correctly rounded"}});
   text += listed("; does not take ", {{!promise.depth_clamp, "depth clamp"},
                                       {!promise.clip_distances, "clip distances"}});

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -89,6 +90,26 @@ struct LineShape {
   }
 };
 
+// A ring as GeoJSON has it, its last vertex the first one again, is the polygon without that.
+void open_ring(std::vector<double>& values, std::size_t per_vertex) {
+  const auto size = static_cast<std::ptrdiff_t>(per_vertex);
+  const bool is_ring = values.size() > 3 * per_vertex &&
+                       std::equal(values.begin(), values.begin() + size, values.end() - size);
+  if (is_ring) values.resize(values.size() - per_vertex);
+}
+
+// Gives all vertices the last `flat` numbers of the provoking one.
+void make_flat(std::vector<double>& values, std::size_t per_vertex,
+               const PrimitiveTextOptions& options) {
+  const auto flat = static_cast<std::ptrdiff_t>(options.flat);
+  const auto stride = static_cast<std::ptrdiff_t>(per_vertex);
+  const auto size = static_cast<std::ptrdiff_t>(values.size());
+  const std::ptrdiff_t end = options.provoking == "last" ? size : stride;
+  for (std::ptrdiff_t v = stride; v <= size; v += stride) {
+    std::copy_n(values.begin() + end - flat, flat, values.begin() + v - flat);
+  }
+}
+
 std::vector<TextLine> lines_of(const std::string& source, std::string_view text) {
   std::vector<TextLine> lines;
   TextFile file(source, text, {.separator = ',', .comment = '#'});
@@ -109,49 +130,6 @@ std::string read_all(std::istream& in, const std::string& name) {
   return text;
 }
 
-// Errors: UsageError.
-std::vector<double> perspective_sides(const std::vector<double>& p) {
-  if (!(p[0] > 0 && p[0] < 180 && p[1] > 0)) {
-    usage_error(
-        "--perspective: FOVY {} must lie in (0, 180) degrees and ASPECT {} must be positive", p[0],
-        p[1]);
-  }
-  const double top = p[2] * std::tan(p[0] * (M_PI / 360.0));
-  const double right = p[1] * top;
-  return {-right, right, -top, top, p[2], p[3]};
-}
-
-std::string given_text(const PrimitiveTextOptions& options) {
-  std::vector<std::string> names;
-  for (const auto& [name, numbers] : options.projections) names.push_back(name);
-  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, " and "));
-}
-
-// The only projection. Errors: UsageError.
-const std::pair<std::string, std::vector<double>>& given_projection(
-    const PrimitiveTextOptions& options) {
-  if (options.projections.size() == 1) return options.projections.front();
-  usage_error(
-      "--space view takes one of --perspective, --frustum, --ortho, --intrinsics and --matrix, {} given",
-      options.projections.empty() ? "none is" : given_text(options) + " are");
-}
-
-Frustum<double> given_frustum(const PrimitiveTextOptions& options) {
-  const auto& [option, v] = given_projection(options);
-  if (option == "--intrinsics") {
-    if (!options.near || !options.far) {
-      usage_error("--intrinsics: it says nothing of depth; give --near and --far too");
-    }
-    return intrinsics_frustum({v[0], v[1], v[2], v[3], v[4], v[5]}, *options.near, *options.far);
-  }
-  if (options.near || options.far) {
-    usage_error("--near and --far go with --intrinsics; {} has its own", option);
-  }
-  return frustum_of_numbers(
-      option == "--ortho" ? ProjectionKind::parallel : ProjectionKind::perspective,
-      option == "--perspective" ? perspective_sides(v) : v);
-}
-
 // What is clipped against in view space. Errors: UsageError.
 Frustum<double> frustum_of(const PrimitiveTextOptions& options) {
   Frustum<double> f = given_frustum(options);
@@ -165,7 +143,7 @@ Frustum<double> frustum_of(const PrimitiveTextOptions& options) {
 // The matrix, its numbers rounded as those of primitives are. Errors: UsageError.
 MatrixRows<double> matrix_of(const PrimitiveTextOptions& options) {
   std::array<double, 16> numbers;
-  std::ranges::copy(given_projection(options).second, numbers.begin());
+  std::ranges::copy(given_projection(options, "--space view takes").second, numbers.begin());
   for (double& x : numbers) {
     if (reads_floats(options)) x = static_cast<float>(x);
     if (!std::isfinite(x)) {
@@ -258,28 +236,7 @@ CLI::Option* add_viewport_option(CLI::App& command,
 }
 
 void add_projection_options(CLI::App& command, PrimitiveTextOptions& options) {
-  const auto add_projection = [&](const char* name, std::size_t count, const char* type,
-                                  const char* help) {
-    const auto set = [&options, name](const std::vector<double>& numbers) {
-      options.projections.emplace_back(name, numbers);
-    };
-    add_number_list(command, name, count, type, set, help);
-  };
-  add_projection("--perspective", 4, "FOVY,ASPECT,NEAR,FAR",
-                 "Perspective projection, FOVY in degrees; FAR may be inf");
-  add_projection("--frustum", 6, "L,R,B,T,N,F",
-                 "Perspective projection, sides measured on the near plane; F may be inf");
-  add_projection("--ortho", 6, "L,R,B,T,N,F", "Orthographic projection");
-  add_projection("--intrinsics", 6, "FX,FY,CX,CY,W,H", kIntrinsicsHelp);
-  command.add_option("--near", options.near, "Distance of the near plane, with --intrinsics");
-  command.add_option("--far", options.far, "Distance of the far plane, with --intrinsics");
-  const auto set = [&options](const std::array<double, 16>& m) {
-    options.projections.emplace_back("--matrix", std::vector<double>(m.begin(), m.end()));
-  };
-  add_matrix_option(
-      command, "--matrix", set,
-      "Matrix to clip space as given, of any handedness and sign of y, from the space of the input: the camera's, or the world");
-  add_matrix_order(command, options.by_columns);
+  add_lens_options(command, options);
   add_depth_option(command, options.depth);
 }
 
@@ -292,6 +249,13 @@ void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options
                      "Scalar to compute in (see `clipscope list scalars`) [float]");
   add_option(command, "--attributes", options.attributes, "K", "Attributes per vertex [0]")
       ->check(CLI::Range(0, kMaxAttributes));
+  add_option(command, "--flat", options.flat, "N",
+             "The last N attributes are flat: all of a primitive has those of one vertex [0]")
+      ->check(CLI::Range(0, kMaxAttributes));
+  command
+      .add_option("--provoking", options.provoking,
+                  "The vertex that gives the flat attributes: first or last [first]")
+      ->check(CLI::IsMember({"first", "last"}));
   add_projection_options(command, options);
   add_option(command, "file", options.file, "FILE", "Primitives, one per line [standard input]");
 }
@@ -300,7 +264,7 @@ Batch described_batch(const PrimitiveTextOptions& options) {
   Batch batch{.space = options.space == "view" ? Space::view : Space::clip,
               .attributes = options.attributes};
   if (batch.space == Space::view) {
-    if (given_projection(options).first == "--matrix") {
+    if (given_projection(options, "--space view takes").first == "--matrix") {
       batch.matrix = matrix_of(options);
     } else {
       batch.frustum = frustum_of(options);
@@ -324,6 +288,10 @@ std::vector<TextLine> read_lines(const std::string& path) {
 
 std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
                                            Primitive primitive) {
+  if (options.flat > options.attributes) {
+    usage_error("--flat: {} asked for, but --attributes gives {} per vertex", options.flat,
+                options.attributes);
+  }
   const std::size_t dimension = options.space == "view" ? 3 : 4;
   const LineShape shape{primitive, dimension,
                         dimension + static_cast<std::size_t>(options.attributes)};
@@ -336,6 +304,8 @@ std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
     for (const std::string& word : line.words) {
       values.push_back(parse_number(word, reads_floats(options), line.place));
     }
+    if (primitive == Primitive::polygon) open_ring(values, shape.per_vertex);
+    make_flat(values, shape.per_vertex, options);
   }
   return primitives;
 }

@@ -75,7 +75,23 @@ void add_matrix_option(CLI::App& command, const std::string& name,
 // --matrix-order row|column.
 void add_matrix_order(CLI::App& command, bool& by_columns, const std::string& group = "");
 // --depth gl|zero_to_one|reversed.
+CLI::Option* add_depth_option(CLI::App& command, std::function<void(DepthRange)> set);
 CLI::Option* add_depth_option(CLI::App& command, DepthRange& depth);
+
+// --perspective, --frustum, --ortho, --intrinsics and --matrix as given: option and numbers.
+using GivenProjection = std::pair<std::string, std::vector<double>>;
+struct LensOptions {
+  std::vector<GivenProjection> projections;
+  bool by_columns = false;          // the numbers of --matrix
+  std::optional<double> near, far;  // of --intrinsics
+};
+void add_lens_options(CLI::App& command, LensOptions& options);
+// "--ortho and --matrix"; "none".
+std::string given_text(const LensOptions& options);
+// The only one. who: "--space view takes", say. Errors: UsageError unless there is one.
+const GivenProjection& given_projection(const LensOptions& options, const std::string& who);
+// The frustum of the first, in double. Pre-condition: it is no --matrix. Errors: UsageError.
+Frustum<double> given_frustum(const LensOptions& options);
 
 // Where the camera is: --eye, --target, --up, --orientation, --pose, --axes, --camera.
 void add_place_options(CLI::App& command, CameraOptions& camera);
@@ -126,16 +142,14 @@ std::vector<TextLine> read_lines(const std::string& path);
 // The number, rounded once to float or double. Errors: InputError naming the place.
 double parse_number(const std::string& word, bool as_float, const std::string& place);
 
-struct PrimitiveTextOptions {
+struct PrimitiveTextOptions : LensOptions {
   std::string space = "view";
   std::string scalar = "float";
   int attributes = 0;
-  // --perspective, --frustum, --ortho, --intrinsics and --matrix as given.
-  std::vector<std::pair<std::string, std::vector<double>>> projections;
-  bool by_columns = false;          // the numbers of --matrix
-  std::optional<double> near, far;  // of --intrinsics
   DepthRange depth = DepthRange::minus_one_to_one;
-  std::string file = "-";  // "-": standard input
+  int flat = 0;                     // so many of the last attributes have one value per primitive:
+  std::string provoking = "first";  // that of its first or last vertex
+  std::string file = "-";           // "-": standard input
 };
 
 // What is clipped against: --perspective and so on, and --depth.
@@ -156,13 +170,24 @@ struct TextPrimitive {
 
 // What clips beside the planes of a projection: --depth-clamp, --clip-distances and --plane.
 struct VolumeOptions {
-  bool depth_clamp = false;
+  DepthClamp depth_clamp = {};
   int clip_distances = 0;
   std::vector<std::array<double, 4>> planes;
 };
 
 void add_volume_options(CLI::App& command, VolumeOptions& options);
 void add_primitive_option(CLI::App& command, Primitive& primitive);
+
+// Pixels of a viewport from its lower left corner on, y upwards.
+struct Scissor {
+  double x, y, width, height;
+  std::array<double, 2> viewport = {0, 0};
+};
+// Errors: CLI::ValidationError unless they are finite and the sides are positive.
+Scissor parse_scissor(const std::vector<double>& numbers);
+// The four sides of the closed rectangle as user clip planes in the space of the batch. In clip
+// space they are exact for whole numbers of pixels; in view space each coefficient is rounded once.
+std::vector<std::array<double, 4>> scissor_planes(const Scissor& scissor, const Batch& batch);
 
 // Whether the format can hold the number, rounded.
 bool is_finite_in(const Format& format, double x);

@@ -23,6 +23,7 @@ constexpr const char* kProgramFooter = R"(Examples:
   clipscope verify --clipper cvv/near_first --scalar float
   clipscope render --scene floor --clipper cvv/naive --against exact --out floor.png
   echo '0 0 -2  3 0 -2  0 1 -2' | clipscope clip --space view --perspective 90,1,1,10
+  clipscope camera --perspective 60,1.7778,0.1,1000
 
 Exit codes: 0 done; 1 a promise is broken (verify), a figure moved (diff); 2 wrong option or name;
 3 bad input file or line; 4 results can't be written.)";
@@ -56,8 +57,8 @@ int run_program(int argc, char* argv[], const std::string& version) {
   for (const auto add :
        {add_run_command, add_report_command, add_table_command, add_diff_command,
         add_compare_command, add_verify_command, add_clip_command, add_explain_command,
-        add_bounds_command, add_render_command, add_plan_command, add_sweep_command,
-        add_paper_command, add_list_command}) {
+        add_bounds_command, add_camera_command, add_render_command, add_plan_command,
+        add_sweep_command, add_paper_command, add_list_command}) {
     add(app, action);
   }
   try {

@@ -36,6 +36,18 @@ std::array<double, 4> parse_plane(const std::vector<double>& numbers) {
   return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
+// A flag that may say which plane: --depth-clamp, --depth-clamp=near.
+void add_depth_clamp_option(CLI::App& command, DepthClamp& clamp) {
+  const auto set = [&clamp](const std::string& planes) {
+    clamp = {planes != "far", planes != "near"};
+  };
+  const std::string help =
+      "The near and far planes do not clip; with =near or =far that one alone does not";
+  command.add_flag("--depth-clamp{both}", help)
+      ->check(CLI::IsMember({"near", "far", "both"}))
+      ->each(set);
+}
+
 }  // namespace
 
 void add_primitive_option(CLI::App& command, Primitive& primitive) {
@@ -52,7 +64,7 @@ void add_volume_options(CLI::App& command, VolumeOptions& options) {
   add_option(command, "--clip-distances", options.clip_distances, "N",
              "The first N attributes are clip distances: inside is >= 0 [0]")
       ->check(CLI::Range(0, kMaxClipDistances));
-  command.add_flag("--depth-clamp", options.depth_clamp, "The near and far planes do not clip");
+  add_depth_clamp_option(command, options.depth_clamp);
   const auto add = [&options](const std::vector<double>& numbers) {
     options.planes.push_back(parse_plane(numbers));
   };
@@ -90,7 +102,7 @@ void check_takes(const Contestant& contestant, const Batch& batch) {
         "--clipper: {} cuts against the planes of a frustum, so a --matrix is not applicable; take one that starts in clip space, such as homogeneous/sutherland_hodgman",
         contestant.clipper);
   }
-  const bool depth_clamp = batch.volume.depth_clamp && !contestant.promise.depth_clamp;
+  const bool depth_clamp = bool{batch.volume.depth_clamp} && !contestant.promise.depth_clamp;
   usage_error("--clipper: {} does not take {}", contestant.clipper,
               depth_clamp ? "--depth-clamp" : "--clip-distances and --plane");
 }

@@ -147,10 +147,10 @@ std::vector<PlanLine> plan_lines(const PlannedView& view) {
   std::vector<PlanLine> lines;
   for (const Plane plane : kPlaneOrder<PlaneOrder::near_first>) {
     const bool is_depth = plane == Plane::near || plane == Plane::far;
-    lines.push_back(plane_line(plane_text(plane) + (is_depth ? " plane" : " side"), e.plane(plane),
-                               volume.depth_clamp && is_depth
-                                   ? "depth is clamped"
-                                   : "no vertex of what is left is outside"));
+    const bool is_clamped = (planes_of(volume) & bit(plane)) == 0;
+    lines.push_back(
+        plane_line(plane_text(plane) + (is_depth ? " plane" : " side"), e.plane(plane),
+                   is_clamped ? "depth is clamped" : "no vertex of what is left is outside"));
   }
   lines.push_back(
       plane_line("user planes", e.user_planes(),

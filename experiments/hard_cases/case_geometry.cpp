@@ -113,12 +113,12 @@ std::optional<ScreenError> largest_screen_error(const CaseGeometry& geometry) {
 ExactShape frustum_outline(const HardCase& hard_case, double farthest, std::size_t coordinate) {
   const Frustum<double>& f = hard_case.frustum;
   const bool perspective = f.kind == ProjectionKind::perspective;
-  const bool clamp = hard_case.volume.depth_clamp;
+  const DepthClamp clamp = hard_case.volume.depth_clamp;
   const bool x = coordinate == 0;
   const double low = x ? f.left : f.bottom, high = x ? f.right : f.top;
   const Rational shear = x ? f.shear_x : f.shear_y;
-  const double front = !clamp ? f.near : perspective ? 0.0 : -farthest;
-  const double far = clamp || f.infinite_far || f.far > farthest ? farthest : f.far;
+  const double front = !clamp.near ? f.near : perspective ? 0.0 : -farthest;
+  const double far = clamp.far || f.infinite_far || f.far > farthest ? farthest : f.far;
   const auto corner = [&](const Rational& bound, const Rational& depth) {
     ExactPosition p{Rational(0), Rational(0), Rational(-depth), Rational(1)};
     p[coordinate] =

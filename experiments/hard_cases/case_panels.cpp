@@ -87,13 +87,13 @@ void fit_view_window(const CaseSketch& s, std::size_t outline, PanelAxis& horizo
 
 // An infinite volume goes on far beyond the panel.
 double farthest_depth(const HardCase& c, const Panel& panel) {
-  if (!c.frustum.infinite_far && !c.volume.depth_clamp) return kFarthest;
+  if (!c.frustum.infinite_far && !c.volume.depth_clamp.far) return kFarthest;
   return std::min(100 * (panel.extent() + std::abs(c.frustum.near)), kFarthest);
 }
 
 std::vector<std::string> far_plane_note(const HardCase& c, const Panel& panel,
                                         const ExactShape& frustum) {
-  if (c.volume.depth_clamp || panel.holds(frustum[2]) || panel.holds(frustum[3])) return {};
+  if (c.volume.depth_clamp.far || panel.holds(frustum[2]) || panel.holds(frustum[3])) return {};
   if (c.frustum.infinite_far) return {"the far plane at infinity"};
   return {fmt::format("the far plane at z\u00a0=\u00a0{}", short_number(-c.frustum.far))};
 }

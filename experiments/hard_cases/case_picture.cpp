@@ -29,13 +29,19 @@ constexpr Lettering kTableText = {.size = 12}, kTableHead = {.size = 12, .bold =
 
 // ---- The title ----------------------------------------------------------------------------------
 
+// Which plane alone is clamped; "" of both.
+std::string clamped_plane(DepthClamp clamp) {
+  if (clamp.near && clamp.far) return "";
+  return clamp.near ? " (near)" : " (far)";
+}
+
 std::string title_text(const HardCase& c) {
   const ClipVolume& volume = c.volume;
   std::string text = fmt::format("{}: a {} in {} space", c.name, to_string(c.primitive),
                                  c.space == Space::view ? "view" : "clip");
   if (volume.depth == DepthRange::zero_to_one) text += ", depth 0 to 1";
   if (volume.depth == DepthRange::reversed) text += ", depth reversed";
-  if (volume.depth_clamp) text += ", depth clamp";
+  if (volume.depth_clamp) text += ", depth clamp" + clamped_plane(volume.depth_clamp);
   if (volume.clip_distances > 0) {
     text += ", " + counted(volume.clip_distances, "clip distance", "clip distances");
   }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/judge/promise.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "experiments/judge/containment.hpp"
 #include "experiments/judge/cycle.hpp"
 #include "spaces/planes.hpp"
 
@@ -78,7 +82,8 @@ class Asked {
   }
   std::size_t dimension() const { return static_cast<std::size_t>(batch_.dimension()); }
   int attributes() const { return batch_.attributes; }
-  int clip_distances() const { return batch_.volume.clip_distances; }
+  const ClipVolume& volume() const { return batch_.volume; }
+  int clip_distances() const { return volume().clip_distances; }
   const Contestant& contestant() const { return contestant_; }
 
  private:
@@ -168,6 +173,54 @@ bool is_watertight(const Asked& asked, Triangle triangle) {
          same_set(on_first_edge(left[0]), on_first_edge(right[0]));
 }
 
+// Floats that a mean or a sum of products is apt to change or to lose: many bits, the largest, the
+// smallest, a signed zero.
+constexpr std::array<double, 6> kConstants = {
+    double{0.1f}, 16777215, double{3e38f}, double{FLT_MAX}, double{FLT_TRUE_MIN}, -0.0};
+
+bool is_value(const Number& x, double value) { return is_finite(x) && to_exact(x) == Exact(value); }
+
+// What becomes of attributes that have one value at all vertices; empty if they keep it. Clip
+// distances stay as they are.
+std::string changed_constant(const Asked& asked, Triangle triangle) {
+  const auto first = asked.dimension() + static_cast<std::size_t>(asked.clip_distances());
+  const std::size_t end = triangle[0].size();
+  for (std::size_t used = 0; used < kConstants.size(); used += end - first) {
+    const auto value_at = [&](std::size_t i) {
+      return kConstants[(used + i - first) % kConstants.size()];
+    };
+    for (Numbers& v : triangle) {
+      for (std::size_t i = first; i < end; ++i) v[i] = value_at(i);
+    }
+    const Answers answers = asked.clip(triangle);
+    for (const VertexView& v : answers[0]) {
+      for (std::size_t i = first; i < end; ++i) {
+        const Number found = v[4 + i - asked.dimension()];
+        if (is_value(found, value_at(i))) continue;
+        return fmt::format("not constant: an attribute that is {} at all vertices becomes {}",
+                           value_at(i), found.value);
+      }
+    }
+  }
+  return {};
+}
+
+// What is wrong with the numbers of an answer, whatever else the clipper answers. The quotient of
+// two double-doubles is not rounded correctly and may exceed a bound.
+std::string broken_values(const Asked& asked, const Triangle& triangle,
+                          const PolygonView& polygon) {
+  const Promise& promise = asked.contestant().promise;
+  const bool is_double_double = polygon.format().precision == kFormat<dd_real>.precision;
+  if (promise.confined && !is_double_double) {
+    const double beyond = overshoot(asked.volume(), polygon);
+    if (beyond > 0) {
+      return fmt::format("not confined: a coordinate is {:.3g} beyond its bound in NDC", beyond);
+    }
+  }
+  const bool has_free_attribute = asked.attributes() > asked.clip_distances();
+  return promise.constants && has_free_attribute ? changed_constant(asked, triangle) : "";
+}
+
 }  // namespace
 
 std::string broken_bits(const Contestant& contestant, const Batch& batch) {
@@ -176,6 +229,9 @@ std::string broken_bits(const Contestant& contestant, const Batch& batch) {
   const Triangle triangle = asked.triangle();
   const Answers answers = asked.clip(triangle);
   if (promise.total && !is_total(answers)) return "not total: a coordinate is not finite";
+  if (const std::string reason = broken_values(asked, triangle, answers[0]); !reason.empty()) {
+    return reason;
+  }
   if (promise.rotation_invariant) {
     const Answers rotated = asked.clip({triangle[1], triangle[2], triangle[0]});
     if (!same_cycle(answers[0], rotated[0], Likeness::by_value)) {

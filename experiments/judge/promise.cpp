@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "experiments/judge/containment.hpp"
 #include "experiments/judge/distance.hpp"
 
 namespace clipscope::experiments {
@@ -55,10 +56,9 @@ N least_plane_distance(const ClipVolume& volume, const Lifted<N>& p) {
     if (d < least) least = d;
   };
   for (const N& d : {N(w + p[0]), N(w - p[1]), N(w + p[1])}) note(d);
-  if (!volume.depth_clamp) {
-    note(N(w - p[2]));
-    note(volume.depth == DepthRange::minus_one_to_one ? N(w + p[2]) : p[2]);
-  }
+  const DepthBounds is_bounded(volume);
+  if (is_bounded.high) note(N(w - p[2]));
+  if (is_bounded.low) note(volume.depth == DepthRange::minus_one_to_one ? N(w + p[2]) : p[2]);
   const std::size_t planes = 4 + static_cast<std::size_t>(volume.clip_distances);
   for (std::size_t i = 4; i < std::min(planes, p.size()); ++i) note(p[i]);
   return least;
@@ -215,11 +215,6 @@ constexpr double kMatrixUlps = 4;
 constexpr MatrixRows<double> kIdentityRows = {Vec4<double>(1, 0, 0, 0), Vec4<double>(0, 1, 0, 0),
                                               Vec4<double>(0, 0, 1, 0), Vec4<double>(0, 0, 0, 1)};
 
-MatrixRows<double> rows_of(const Projection<double>& p) {
-  return {Vec4<double>(p.x.own, 0, p.x.z, p.x.one), Vec4<double>(0, p.y.own, p.y.z, p.y.one),
-          Vec4<double>(0, 0, p.z.z, p.z.one), Vec4<double>(0, 0, p.w.z, p.w.one)};
-}
-
 Corners corners_of(const reference::Truth& truth, InputVertices vertices) {
   Corners corners;
   for (const InputVertex& v : vertices) {
@@ -276,11 +271,10 @@ double smallest_visible_w(const ClipVolume& volume, const RoundedCorners& corner
     keep([c](const Point& p) { return p[3] + p[c]; });
     keep([c](const Point& p) { return p[3] - p[c]; });
   }
-  if (!volume.depth_clamp) {
-    const bool gl = volume.depth == DepthRange::minus_one_to_one;
-    keep([](const Point& p) { return p[3] - p[2]; });
-    keep([gl](const Point& p) { return gl ? p[3] + p[2] : p[2]; });
-  }
+  const DepthBounds is_bounded(volume);
+  const bool gl = volume.depth == DepthRange::minus_one_to_one;
+  if (is_bounded.high) keep([](const Point& p) { return p[3] - p[2]; });
+  if (is_bounded.low) keep([gl](const Point& p) { return gl ? p[3] + p[2] : p[2]; });
   double smallest = std::numeric_limits<double>::infinity();
   for (const Point& p : polygon) smallest = std::min(smallest, p[3]);
   return smallest;

@@ -87,10 +87,12 @@ class PromiseChecker {
 };
 
 // Does a clipper keep what it promises to the bit (spaces/clipper.hpp): total, watertight,
-// invariant under rotation of the vertices and under scaling by 2^k?
+// invariant under rotation of the vertices and under scaling by 2^k, confined to the volume,
+// keeping what is constant?
 //
-// The clipper is asked again about the triangle rotated, scaled, and beside a neighbour that shares
-// its first edge; the answers must have the same bits. Nothing exact is needed.
+// The clipper is asked again about the triangle rotated, scaled, with attributes that are the same
+// at all vertices, and beside a neighbour that shares its first edge; the answers must have the
+// same bits.
 
 // What the promise breaks on this triangle; empty if it keeps it. Scaling is tried only where
 // coordinates leave room for it in the format; watertightness not where the edge lies in a plane,

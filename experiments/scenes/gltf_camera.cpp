@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/scenes/gltf_camera.hpp"
 
+#include <fmt/ranges.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -79,6 +81,17 @@ std::vector<GltfCamera> read_gltf_cameras(const std::filesystem::path& path) {
     cameras.back().world_from_camera = world_from_node;
   }
   return cameras;
+}
+
+const GltfCamera& find_camera(const std::vector<GltfCamera>& cameras, const std::string& wanted,
+                              const std::filesystem::path& path) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    if (wanted == std::to_string(i) || wanted == cameras[i].name) return cameras[i];
+    names.push_back(fmt::format("{} ({})", i, cameras[i].name));
+  }
+  throw UsageError(fmt::format("--camera: {} has no camera '{}'; it has: {}", path.string(), wanted,
+                               names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
 std::array<double, 16> pose_of(const GltfCamera& camera) {

@@ -36,6 +36,10 @@ struct GltfCamera {
 // or enclose no volume, naming its place.
 std::vector<GltfCamera> read_gltf_cameras(const std::filesystem::path& path);
 
+// The camera of a file that has this name or number. Errors: UsageError that names all there are.
+const GltfCamera& find_camera(const std::vector<GltfCamera>& cameras, const std::string& wanted,
+                              const std::filesystem::path& path);
+
 // The camera as options of make_views: its pose, by rows; and what it sees. The picture's aspect is
 // that of the options where they have another than their default or the camera has none, and so are
 // near and far where they are given.

@@ -43,18 +43,6 @@ void place_camera(Scene& scene, const CameraOptions& camera) {
   for (View& view : scene.views) view.frustum.depth = camera.depth;
 }
 
-// The camera of the file that the option names: by its number, or by its name.
-const GltfCamera& find_camera(const std::vector<GltfCamera>& cameras, const std::string& wanted,
-                              const std::filesystem::path& path) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < cameras.size(); ++i) {
-    if (wanted == std::to_string(i) || wanted == cameras[i].name) return cameras[i];
-    names.push_back(fmt::format("{} ({})", i, cameras[i].name));
-  }
-  throw UsageError(fmt::format("--camera: {} has no camera '{}'; it has: {}", path.string(), wanted,
-                               names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
-}
-
 // Options that say of a camera of the file what the file says.
 CameraOptions with_gltf_camera(const CameraOptions& options, const std::filesystem::path& path) {
   const std::vector<GltfCamera> cameras = read_gltf_cameras(path);

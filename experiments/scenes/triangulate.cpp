@@ -9,9 +9,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/scenes/flatness.hpp"
 #include "reference/exact_clip.hpp"
 
 namespace clipscope::experiments {
@@ -45,6 +47,18 @@ void check_finite(Points<D> points, const std::string& where) {
             "{}: vertex {} has the coordinate {}, expected a finite number", where, i, x));
       }
     }
+  }
+}
+
+template <std::size_t D>
+void check_distinct(Points<D> points, const std::string& where) {
+  std::map<std::array<double, D>, std::size_t> seen;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [first, is_new] = seen.emplace(points[i], i);
+    if (is_new) continue;
+    throw InputError(fmt::format(
+        "{}: vertices {} and {} (counted from 0) are the same point, expected distinct ones", where,
+        first->second, i));
   }
 }
 
@@ -119,6 +133,7 @@ std::vector<Point2> simple_projection(Points<D> points, const std::string& where
     throw InputError(fmt::format("{}: {} vertices, expected 3 or more", where, points.size()));
   }
   check_finite(points, where);
+  check_distinct(points, where);
   std::vector<Point2> projected = project(points, where);
   if (!CGAL::is_simple_2(projected.begin(), projected.end(), Kernel())) {
     throw InputError(where +
@@ -146,7 +161,8 @@ std::vector<IndexTriangle> triangulate_simple(const std::vector<Point2>& polygon
 template <std::size_t D>
 std::vector<IndexPolygon> convex_parts_of(Points<D> points, const std::string& where) {
   const std::vector<Point2> polygon = simple_projection(points, where);
-  if (CGAL::is_convex_2(polygon.begin(), polygon.end(), Kernel())) {
+  const bool is_flat = departure_from_plane(points).is_flat();
+  if (is_flat && CGAL::is_convex_2(polygon.begin(), polygon.end(), Kernel())) {
     IndexPolygon all(polygon.size());
     std::iota(all.begin(), all.end(), 0);
     return {all};

@@ -13,7 +13,7 @@
 // Guarantees: n - 2 triangles over the polygon's own n vertices and no others, in its winding, that
 // tile its projection; every edge of the polygon is an edge of one triangle.
 // Does not guarantee: that the polygon is planar. One that is not is triangulated as its projection
-// is.
+// is: of the surfaces that it may mean, one is chosen (flatness.hpp tells).
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ using IndexTriangle = std::array<int, 3>;
 
 // Points of three or four coordinates, in order around the polygon. `where` is the file and line,
 // or whatever else tells the polygon from others; it opens the message of an InputError, which says
-// what is wrong: fewer than three vertices, a coordinate that is not finite, no area, or edges that
-// cross or touch.
+// what is wrong: fewer than three vertices, a coordinate that is not finite, a point that is there
+// twice, no area, or edges that cross or touch.
 std::vector<IndexTriangle> triangulate(std::span<const std::array<double, 3>> points,
                                        const std::string& where = "polygon");
 std::vector<IndexTriangle> triangulate(std::span<const std::array<double, 4>> points,
@@ -42,7 +42,7 @@ std::vector<IndexTriangle> triangulate(std::span<const std::array<double, 4>> po
 using IndexPolygon = std::vector<int>;
 
 // What a clipper of convex polygons can take: the whole polygon where it is convex (straight angles
-// are), else its triangles. Errors as above.
+// are) and exactly flat, else its triangles. Errors as above.
 std::vector<IndexPolygon> convex_parts(std::span<const std::array<double, 3>> points,
                                        const std::string& where = "polygon");
 std::vector<IndexPolygon> convex_parts(std::span<const std::array<double, 4>> points,

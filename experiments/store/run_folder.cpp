@@ -12,11 +12,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 
 #include "experiments/machine/build_info.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/machine/files.hpp"
 #include "experiments/machine/machine.hpp"
+#include "experiments/selection/replay_text.hpp"
 #include "experiments/store/database.hpp"
 
 namespace clipscope::experiments {
@@ -25,9 +27,25 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+// JSON knows no infinity.
+Json json_of(double value) { return std::isinf(value) ? Json("inf") : Json(value); }
+Json json_of(const std::optional<double>& value) { return value ? json_of(*value) : Json(); }
+template <std::size_t N>
+Json json_of(const std::optional<std::array<double, N>>& values) {
+  return values ? Json(*values) : Json();
+}
 Json json_of(const std::optional<glm::dvec3>& v) {
   return v ? Json::array({(*v)[0], (*v)[1], (*v)[2]}) : Json();
+}
+
+Json json_of(const std::optional<Intrinsics>& i) {
+  return i ? Json::array({i->fx, i->fy, i->cx, i->cy, i->width, i->height}) : Json();
+}
+// Of a frustum of that kind; nothing of the other.
+Json json_of(const std::optional<Frustum<double>>& f, ProjectionKind kind) {
+  if (!f || f->kind != kind) return {};
+  return Json::array({f->left, f->right, f->bottom, f->top, f->near,
+                      f->infinite_far ? Json("inf") : Json(f->far)});
 }
 
 // The options that decide the results, by their names on the command line.
@@ -42,6 +60,15 @@ Json options_of(const Selection& s) {
           {"eye", json_of(s.camera.eye)},
           {"target", json_of(s.camera.target)},
           {"up", json_of(s.camera.up)},
+          {"orientation", json_of(s.camera.orientation)},
+          {"pose", json_of(s.camera.pose)},
+          {"matrix-order", s.camera.by_columns ? "column" : "row"},
+          {"axes", s.camera.axes == CameraAxes::cv ? "cv" : "gl"},
+          {"camera", s.camera.gltf_camera ? Json(*s.camera.gltf_camera) : Json()},
+          {"intrinsics", json_of(s.camera.intrinsics)},
+          {"frustum", json_of(s.camera.frustum, ProjectionKind::perspective)},
+          {"ortho", json_of(s.camera.frustum, ProjectionKind::parallel)},
+          {"depth", depth_option(s.camera.depth)},
           {"fovy", s.camera.fovy_degrees},
           {"aspect", s.camera.aspect},
           {"near", json_of(s.camera.near)},

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/survey/accuracy.hpp"
 
+#include <algorithm>
+
+#include "experiments/judge/containment.hpp"
+
 namespace clipscope::experiments {
 namespace {
 
@@ -39,8 +43,11 @@ void measure_accuracy(const Scene& scene, const Contestants& contestants,
       const Batch batch = batch_of(view, triangles);
       const std::vector<TruthPolygon> truths = truth_polygons(truth, batch);
       for (std::size_t c = 0; c < contestants.size(); ++c) {
-        const auto comparisons = compare(clip(*contestants[c], batch), truths);
+        const Answers answers = clip(*contestants[c], batch);
+        const auto comparisons = compare(answers, truths);
         for (std::size_t i = 0; i < comparisons.size(); ++i) {
+          tallies[c].overshoot =
+              std::max(tallies[c].overshoot, overshoot(batch.volume, answers[i]));
           if (!add(comparisons[i], tallies[c])) continue;
           tallies[c].worst_position = {comparisons[i].position_px, scene.name, view.label,
                                        (first + i) * spacing.stride};

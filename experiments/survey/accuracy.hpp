@@ -36,6 +36,7 @@ struct AccuracyTally {
   OutcomeCounts outcomes{};    // of triangles visible in truth or in the answer
   std::int64_t triangles = 0;  // all of them
   LogHistogram position_px, position_ulp, attribute;
+  double overshoot = 0;  // the largest (judge/containment.hpp)
   Worst worst_position;
 };
 
@@ -56,13 +57,15 @@ void measure_accuracy(const Scene& scene, const Contestants& contestants,
 struct AccuracyFigures {
   std::array<std::int64_t, kViewOutcomes> outcomes{};
   std::optional<Spread> px, ulp, attribute;
+  double overshoot = 0;
 
   AccuracyFigures() = default;
   explicit AccuracyFigures(const AccuracyTally& tally)
       : outcomes(view_outcomes(tally.outcomes)),
         px(spread_of(tally.position_px)),
         ulp(spread_of(tally.position_ulp)),
-        attribute(spread_of(tally.attribute)) {}
+        attribute(spread_of(tally.attribute)),
+        overshoot(tally.overshoot) {}
 
   // Triangles that look wrong, see is_failure.
   std::int64_t wrong() const {
@@ -81,7 +84,8 @@ struct AccuracyFigures {
   }
   static constexpr auto other_columns() {
     return std::tuple(spread("ulp", "ulp", &AccuracyFigures::ulp),
-                      spread("attribute", "attr", &AccuracyFigures::attribute));
+                      spread("attribute", "attr", &AccuracyFigures::attribute),
+                      column("overshoot_ndc", "beyond", &AccuracyFigures::overshoot));
   }
   static constexpr auto columns() {
     return std::tuple_cat(outcome_columns(), px_columns(), other_columns());
@@ -90,6 +94,6 @@ struct AccuracyFigures {
 
 // What the columns mean.
 inline constexpr std::string_view kAccuracyNote =
-    "Outcomes count triangles that are visible in truth or in the answer. Errors are each triangle's largest, over triangles with the right vertices: px on 3840 x 2160; ulp of the scalar's own format over x, y, z and 1/w; attributes absolute.";
+    "Outcomes count triangles that are visible in truth or in the answer. Errors are each triangle's largest, over triangles with the right vertices: px on 3840 x 2160; ulp of the scalar's own format over x, y, z and 1/w; attributes absolute. Beyond is how far the farthest vertex lies outside the volume, in NDC.";
 
 }  // namespace clipscope::experiments

@@ -47,7 +47,8 @@ struct CorrectlyRounded {
   static constexpr std::string_view source = "this project";
   // x, y, z and 1/w are rounded once each: x w and so on are off by 2 u M at most, w by one, and so
   // is each of at most 32 attributes. As a distance, sqrt(3 * 2^2 + 1 + 32) < 7.
-  static constexpr Promise promise{.ulps = 7, .watertight = true, .correctly_rounded = true};
+  static constexpr Promise promise{
+      .ulps = 7, .watertight = true, .confined = true, .correctly_rounded = true};
 
   // `count` is called with the barycentric::Stage that settled each sign and quotient.
   // Pre-condition: is_valid(projection.frustum), and the volume has its depth range.

@@ -10,6 +10,7 @@
 //
 //   ndc = sum lambda_i pos_i / sum lambda_i w_i      attribute = sum lambda_i a_i / sum lambda_i
 //
+// A mean rounds, and would change an attribute that is constant; that of equal values is the value.
 // A coordinate that lies on its plane is set to exactly -1, 0 or 1.
 // Source: homogeneous lines and their meetings: Blinn, "A Trip Down the Graphics Pipeline", 1996;
 // the triangle as a 2D homogeneous problem: Olano and Greer, "Triangle Scan Conversion using 2D
@@ -250,10 +251,26 @@ struct DistanceMatrix : StartsAtClipPositions<DistanceMatrix> {
     for (int c = 0; c < 3; ++c) v.position[c] = coordinate(c);
     v.attributes.resize(source[0].attributes.size());
     for (int k = 0; k < v.attributes.size(); ++k) {
-      const T a = sum([&](std::size_t i) { return source[i].attributes[k]; });
-      v.attributes[k] = a / v.weight;
+      v.attributes[k] =
+          mean({source[0].attributes[k], source[1].attributes[k], source[2].attributes[k]}, lambda,
+               v.weight);
     }
     return true;
+  }
+
+  // The mean of three values, whose weights are lambda. Where all that have a weight are equal it
+  // is their value: the third vertex of an edge has no say, so that neighbours agree there.
+  template <Scalar T>
+  static constexpr T mean(const std::array<T, 3>& values, const std::array<T, 3>& lambda,
+                          const T& weight) {
+    const T zero(0);
+    const std::size_t first = lambda[0] != zero ? 0 : lambda[1] != zero ? 1 : 2;
+    const auto agrees = [&](std::size_t i) {
+      return values[i] == values[first] || lambda[i] == zero;
+    };
+    if (agrees(1) && agrees(2)) return values[first];
+    const T r = dot(lambda, values) / weight;
+    return r;
   }
 
   // Sets the coordinates that the planes fix. `one` is w, or 1 in NDC.

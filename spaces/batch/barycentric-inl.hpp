@@ -14,6 +14,8 @@
 // max(|a|, |b|), a convex combination being no larger. 16 u covers that, the terms of higher order
 // and the rounding of the interval's ends. Nothing under- or overflows: exact_lines.hpp.
 //
+// The mean of equal values is their value where two planes meet, whose sums may cancel.
+//
 // Several planes: corners-inl.hpp. The methods give the bits of their plain twins: the same
 // operations in the same order.
 #if defined(CLIPSCOPE_BATCH_BARYCENTRIC_INL) == defined(HWY_TARGET_TOGGLE)
@@ -329,9 +331,15 @@ struct FromOriginals {
     for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
       const auto v_0 = load(d, s.vertex[0] + i), v_1 = load(d, s.vertex[1] + i),
                  v_2 = load(d, s.vertex[2] + i);
-      const auto sum = hn::Add(sum_of(l_0, v_0, l_1, v_1), hn::Mul(l_2, v_2));
+      auto sum = hn::Add(sum_of(l_0, v_0, l_1, v_1), hn::Mul(l_2, v_2));
+      auto factor = reciprocal;
+      if constexpr (!kCertain) {
+        const auto same = hn::And(hn::Eq(v_0, v_1), hn::Eq(v_1, v_2));
+        sum = hn::IfThenElse(same, hn::Add(v_0, hn::Zero(d)), sum);
+        factor = hn::IfThenElse(same, hn::Set(d, 1.0), reciprocal);
+      }
       const Bits open =
-          store_mean(sum, reciprocal, hn::Max(larger(v_0, v_1), hn::Abs(v_2)), error, out + i);
+          store_mean(sum, factor, hn::Max(larger(v_0, v_1), hn::Abs(v_2)), error, out + i);
       doubt.add(open, i, first);
     }
   }

@@ -76,9 +76,13 @@ bool cut_by_rounded_signs(const ClipVolume& volume, const ClipTriangle<V, K>& tr
   return cut.corners.size() >= 3;
 }
 
-// sum lambda_i v_i / sum lambda_i, +0 if it is 0. A vertex without weight takes no part.
+// sum lambda_i v_i / sum lambda_i, +0 if it is 0. A vertex without weight takes no part. Rounded to
+// float the mean of equal floats is their value: on an edge by itself, since both weights are
+// positive; where two planes meet the sums may cancel, so that it is said.
 template <std::floating_point V>
 V weighted_mean(const barycentric::Meeting& m, const std::array<V, 3>& v, double reciprocal) {
+  const bool of_two_planes = m.a->plane != 0 && m.b->plane != 0;
+  if (of_two_planes && v[0] == v[1] && v[1] == v[2]) return v[0] + V(0);
   double sum = 0;
   for (int i = 0; i < 3; ++i) {
     if (m.magnitude[i] != 0) sum += m.lambda[i] * static_cast<double>(v[i]);

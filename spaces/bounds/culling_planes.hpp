@@ -210,13 +210,6 @@ MatrixRows<T> rows_of(const glm::mat<4, 4, T, glm::defaultp>& m) {
 }
 
 template <std::floating_point T>
-MatrixRows<T> rows_of(const Projection<T>& p) {
-  const T o(0);
-  return {Vec4<T>(p.x.own, o, p.x.z, p.x.one), Vec4<T>(o, p.y.own, p.y.z, p.y.one),
-          Vec4<T>(o, o, p.z.z, p.z.one), Vec4<T>(o, o, p.w.z, p.w.one)};
-}
-
-template <std::floating_point T>
 CullingPlanes<T> culling_planes(DepthRange depth, const glm::mat<4, 4, T, glm::defaultp>& m) {
   return culling_planes(depth, rows_of(m));
 }

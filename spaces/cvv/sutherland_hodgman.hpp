@@ -37,11 +37,9 @@ constexpr NdcVertex<T, K> interpolate_perspective(const NdcVertex<T, K>& inside,
   }
   r.attributes.resize(inside.attributes.size());
   const T inv_w = r.position[3];
-  if (!can_divide_by(inv_w)) {
-    r.attributes = inside.attributes;
-    return r;
-  }
-  const T eye_t = t * outside.position[3] / inv_w;
+  T eye_t(0);
+  if (can_divide_by(inv_w)) eye_t = t * outside.position[3] / inv_w;
+  if (!is_finite(eye_t)) eye_t = T(0);  // where the sign of w changes: infinity times 0 is no 0
   for (int k = 0; k < r.attributes.size(); ++k) {
     r.attributes[k] = inside.attributes[k] + eye_t * (outside.attributes[k] - inside.attributes[k]);
   }

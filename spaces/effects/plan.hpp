@@ -125,8 +125,8 @@ class Plan {
     }
     effects_.user_planes_ = effect_of(~((Outcode{1} << kPlanes) - 1));
     // With depth clamp nothing bounds z, and a triangle whose depth overflows is dropped.
-    effects_.w_guard_ = facts.has_bad_w() || volume.depth_clamp;
-    effects_.depth_ = options.depth || volume.depth_clamp;
+    effects_.w_guard_ = facts.has_bad_w() || bool{volume.depth_clamp};
+    effects_.depth_ = options.depth || bool{volume.depth_clamp};
     effects_.divide_ = !facts.has_unit_w();
     affine_error_ = affine_error(facts);
     effects_.perspective_ = effects_.divide_ && !(affine_error_ <= options.tolerance);

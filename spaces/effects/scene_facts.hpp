@@ -125,12 +125,6 @@ class SceneFacts {
   static constexpr Outcode kSidePlanes =
       bit(Plane::left) | bit(Plane::right) | bit(Plane::bottom) | bit(Plane::top);
 
-  static MatrixRows<T> rows_of(const Projection<T>& p) {
-    const T o(0);
-    return {Vec4<T>(p.x.own, o, p.x.z, p.x.one), Vec4<T>(o, p.y.own, p.y.z, p.y.one),
-            Vec4<T>(o, o, p.z.z, p.z.one), Vec4<T>(o, o, p.w.z, p.w.one)};
-  }
-
   template <int K>
   void look_at_all(const CullingPlanes<T>& planes, std::span<const ViewTriangle<T, K>> triangles) {
     for (std::size_t first = 0; first < triangles.size(); first += kGroup) {

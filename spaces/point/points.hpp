@@ -50,7 +50,7 @@ struct PointClipper {
       kPops ? "OpenGL 4.6 Core Profile Specification, section 13.7"
             : "OpenGL ES 3.2 Specification, Primitive Clipping";
   // The promise is about points of size 0; the centre of a larger one may lie outside the sides.
-  static constexpr Promise promise{.ulps = kProjectUlps, .watertight = true};
+  static constexpr Promise promise{.ulps = kProjectUlps, .watertight = true, .confined = kPops};
 
   // out: no vertex, or the centre, divided.
   template <Scalar T, int K>

@@ -30,7 +30,8 @@ struct WholeTriangle : StartsInClipSpace<WholeTriangle<kDropWhen>> {
                                    .covers = !kAny,
                                    .contained = kAny,
                                    .ulps = kProjectUlps,
-                                   .watertight = !kAny};
+                                   .watertight = !kAny,
+                                   .confined = kAny};
 
   template <Scalar T, int K>
   static constexpr void clip(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,

@@ -98,6 +98,10 @@ DepthRange any_depth() {
   return GENERATE(DepthRange::minus_one_to_one, DepthRange::zero_to_one, DepthRange::reversed);
 }
 
+DepthClamp any_depth_clamp() {
+  return GENERATE(DepthClamp(), DepthClamp(true), kClampNear, kClampFar);
+}
+
 Frustum<double> perspective(DepthRange depth) {
   Frustum<double> f;
   f.far = 4;
@@ -209,7 +213,7 @@ TEST_CASE("reference: equals gold on clip-space floats, w of any sign") {
 
 TEST_CASE("reference: equals gold with depth clamp and clip distances in clip space") {
   const ClipVolume volume = {
-      .depth = any_depth(), .depth_clamp = GENERATE(false, true), .clip_distances = 2};
+      .depth = any_depth(), .depth_clamp = any_depth_clamp(), .clip_distances = 2};
   const Truth truth = Truth::of_clip(volume);
   const auto gold = [&](const InputTriangle& t) { return gold_of_clip(volume, t); };
   CHECK(compare(truth, gold, kLattice2, 100).clipped > 15);
@@ -220,7 +224,7 @@ TEST_CASE("reference: equals gold with depth clamp and clip distances in view sp
   const auto make_frustum = GENERATE(off_centre, infinite, oblique);
   const Frustum<double> frustum = make_frustum(DepthRange::zero_to_one);
   const ClipVolume volume = {
-      .depth = frustum.depth, .depth_clamp = GENERATE(false, true), .clip_distances = 1};
+      .depth = frustum.depth, .depth_clamp = any_depth_clamp(), .clip_distances = 1};
   const auto gold = [&](const InputTriangle& t) { return gold_of_frustum(frustum, volume, t); };
   const Truth truth = Truth::of_frustum(frustum, volume);
   CHECK(compare(truth, gold, in_view(kLattice3), 60).clipped > 15);
@@ -230,7 +234,7 @@ TEST_CASE("reference: equals gold with depth clamp and clip distances in view sp
 TEST_CASE("reference: equals gold with depth clamp and clip distances under a float matrix") {
   const auto make_frustum = GENERATE(off_centre, oblique);
   Projection<float> projection(frustum_cast<float>(make_frustum(DepthRange::reversed)));
-  projection.volume.depth_clamp = true;
+  projection.volume.depth_clamp = any_depth_clamp();
   projection.volume.clip_distances = 1;
   const auto gold = [&](const InputTriangle& t) { return gold_of_matrix(projection, t); };
   CHECK(compare(Truth::of_matrix(projection), gold, in_view(kLattice3), 60).clipped > 15);

@@ -162,6 +162,18 @@ TEST_CASE("volume: with depth clamp near and far don't cut") {
   CHECK(clipped(Truth::of_clip(clamped), segment).verdict == Verdict::accepted);
 }
 
+TEST_CASE("volume: with one plane of depth clamped the other still cuts") {
+  const std::vector<Position> segment = {{0, 0, -3, 1}, {0, 0, 3, 1}};
+  const Truth near = Truth::of_clip(ClipVolume{.depth_clamp = kClampNear});
+  const Truth far = Truth::of_clip(ClipVolume{.depth_clamp = kClampFar});
+  CHECK(positions_of(clipped(near, segment)) == Positions{{0, 0, -3, 1}, {0, 0, 1, 1}});
+  CHECK(positions_of(clipped(far, segment)) == Positions{{0, 0, -1, 1}, {0, 0, 3, 1}});
+  // Reversed the near plane is z = w and the far one z = 0.
+  const ClipVolume reversed = {.depth = DepthRange::reversed, .depth_clamp = kClampNear};
+  CHECK(positions_of(clipped(Truth::of_clip(reversed), segment)) ==
+        Positions{{0, 0, 0, 1}, {0, 0, 3, 1}});
+}
+
 // w = 1 - 2 t: the sides meet x = w at t = 1/4 (x = t + 1/4) and leave nothing with w < 0.
 TEST_CASE("volume: with depth clamp the sides leave nothing behind the eye") {
   const Truth truth = Truth::of_clip(ClipVolume{.depth_clamp = true});

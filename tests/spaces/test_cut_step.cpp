@@ -21,6 +21,7 @@ const ClipVolume kVolumes[] = {{},
                                {.depth = DepthRange::zero_to_one},
                                {.depth = DepthRange::reversed},
                                {.depth_clamp = true},
+                               {.depth_clamp = kClampFar},
                                {.clip_distances = 2}};
 
 template <class T>

@@ -322,8 +322,30 @@ TEST_CASE("promises: with depth clamp near and far cut nothing and the sides kee
   });
 }
 
+TEST_CASE("promises: with one plane of depth clamped the other still cuts") {
+  // Depth -2 to 20 at w = 1, near at -1 and far at 1.
+  const Corners through = {{{-0.5, 0, -2, 1}, {0.5, 0, -2, 1}, {0, 0.5, 20, 1}}};
+  for_every_clipper([&]<class T>(const ClipperIn<T, 3>& clip) {
+    if (!keeps_clip_contract(clip) || !clip.promise.depth_clamp) return;
+    const auto depths = [&](DepthClamp clamp) {
+      std::array<double, 2> range = {100, -100};
+      for (const auto& v : clip(clip_triangle<T>(through), ClipVolume{.depth_clamp = clamp})) {
+        const double z = experiments::nearest_double(v.position[2]);
+        range = {std::min(range[0], z), std::max(range[1], z)};
+      }
+      return range;
+    };
+    CHECK(depths(kClampNear)[0] == -2);
+    CHECK(depths(kClampNear)[1] == Approx(1));
+    CHECK(depths(kClampFar)[0] == Approx(-1));
+    CHECK(depths(kClampFar)[1] == 20);
+    CHECK(depths(true) == std::array<double, 2>{-2, 20});
+  });
+}
+
 TEST_CASE("promises: what a clipper cannot take is said by its promise") {
   CHECK(is_applicable(HomogeneousSutherlandHodgman::promise, {.depth_clamp = true}));
   CHECK_FALSE(is_applicable(CvvNearFirst::promise, {.depth_clamp = true}));
+  CHECK_FALSE(is_applicable(CvvNearFirst::promise, {.depth_clamp = kClampNear}));
   CHECK(is_applicable(CvvNearFirst::promise, {.clip_distances = 8}));
 }

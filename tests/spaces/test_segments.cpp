@@ -132,7 +132,7 @@ TEST_CASE("segments: in exact arithmetic every clipper has the exact interval in
   parallel.shear_x = 0.25;
   parallel.depth = DepthRange::zero_to_one;
   for (const Frustum<double>& frustum : {perspective, infinite, parallel}) {
-    for (const bool depth_clamp : {false, true}) {
+    for (const DepthClamp depth_clamp : {DepthClamp(), DepthClamp(true), kClampNear, kClampFar}) {
       Projection<Exact> projection(frustum_cast<Exact>(frustum));
       projection.volume.depth_clamp = depth_clamp;
       int visible = 0;

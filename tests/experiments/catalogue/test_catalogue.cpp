@@ -113,6 +113,20 @@ TEST_CASE("catalogue: coordinates and attributes are floats") {
   }
 }
 
+DepthClamp clamp_of(const std::string& line) {
+  const std::string text = "case a\nsource s\nwhy w\nprimitive point\nspace clip gl\n" + line +
+                           "\nvertex 0 0 0 1\nexpect accepted\n";
+  return parse_catalogue("folder/theme.cases", text).at(0).volume.depth_clamp;
+}
+
+TEST_CASE("catalogue: depth_clamp stands for both planes or names one") {
+  CHECK(clamp_of("depth_clamp") == DepthClamp(true));
+  CHECK(clamp_of("depth_clamp near") == kClampNear);
+  CHECK(clamp_of("depth_clamp far") == kClampFar);
+  CHECK_THROWS_WITH(clamp_of("depth_clamp side"),
+                    Catch::Contains("theme.cases:6") && Catch::Contains("'side'"));
+}
+
 const std::string kHead =
     "case a\nsource s\nwhy w\nprimitive segment\nspace clip zero_to_one\n";  // 5 lines
 

@@ -265,12 +265,101 @@ TEST_CASE("clip: a clipper of triangles gets every polygon in triangles") {
   CHECK(areas("--clipper homogeneous/pipeline") == std::vector<double>{1, 1});
 }
 
+TEST_CASE("clip: a polygon that is not flat is clipped as triangles, and a note says so") {
+  const Folder folder;
+  const std::string fold = "-3 -3 -2  3 -3 -2  3 3 -4  -3 3 -2\n";
+  const Result r = folder.run("clip --primitive polygon --perspective 90,1,1,3", fold);
+  CHECK(r.code == 0);
+  CHECK(contains(r.err, "1 polygon is not flat"));
+  CHECK(contains(r.err, "standard input:1, where vertex"));
+  CHECK(contains(r.out, "0,1,0,"));
+  // The triangles are those of a clipper of triangles.
+  const Result triangles = folder.run(
+      "clip --primitive polygon --clipper homogeneous/sutherland_hodgman --perspective 90,1,1,3",
+      fold);
+  CHECK(triangles.out == r.out);
+  CHECK(triangles.err == r.err);
+  CHECK(folder.run("clip --primitive polygon --space clip", kSquare).err.empty());
+}
+
+TEST_CASE("clip: a closed ring is the polygon that it goes around") {
+  const Folder folder;
+  const std::string open = "0 0 0 1 5  .5 0 0 1 6  .5 .5 0 1 7";
+  const auto rows = [&](const std::string& input) {
+    return rows_of(folder, "--primitive polygon --space clip --attributes 1", input);
+  };
+  CHECK(rows(open + "  0 0 0 1 5\n") == rows(open + "\n"));
+  const Result other =
+      folder.run("clip --primitive polygon --space clip --attributes 1", open + "  0 0 0 1 8\n");
+  CHECK(other.code == 3);
+  CHECK(contains(other.err,
+                 "standard input:1: vertices 0 and 3 (counted from 0) are the same point"));
+}
+
 TEST_CASE("clip: polygons of view space may start in view space") {
   const Folder folder;
   const Lines rows =
       rows_of(folder, "--primitive polygon --ortho -1,1,-1,1,1,3 --clipper view/sutherland_hodgman",
               "-0.5 -0.5 -2  0 -0.25 -2  0.5 -0.5 -2  0 0.5 -2\n");
   CHECK(twice_areas(rows) == std::vector<double>{0.375, 0.375});
+}
+
+TEST_CASE("clip: a scissor rectangle cuts at its pixels, in clip space and in view space") {
+  const Folder folder;
+  // Of x from -1 to 1 on 640 pixels, 160 to 480 are -1/2 to 1/2.
+  const std::string scissor = "--primitive segment --viewport 640x480 --scissor 160,0,320,480 ";
+  const Lines half = {"0,0,-0.5,0,0,0.25", "0,1,0.5,0,0,0.25"};
+  CHECK(rows_of(folder, "--space clip " + scissor, "-4 0 0 4  4 0 0 4\n") == half);
+  CHECK(rows_of(folder, "--frustum -1,1,-1,1,1,inf --depth zero_to_one --scalar exact " + scissor,
+                "-4 0 -4  4 0 -4\n") == Lines{"0,0,-0.5,0,0.75,0.25", "0,1,0.5,0,0.75,0.25"});
+  CHECK(rows_of(folder, "--ortho 0,4,-1,1,1,3 " + scissor, "0 0 -2  4 0 -2\n") ==
+        Lines{"0,0,-0.5,0,0,1", "0,1,0.5,0,0,1"});
+  CHECK(rows_of(folder, "--matrix 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,4 " + scissor, "-4 0 0  4 0 0\n") ==
+        half);
+  // y goes upwards: the lower quarter.
+  CHECK(rows_of(folder, "--space clip --primitive segment --viewport 640x480 --scissor 0,0,640,120",
+                "0 -1 0 1  0 1 0 1\n") == Lines{"0,0,0,-1,0,1", "0,1,0,-0.5,0,1"});
+}
+
+TEST_CASE("clip: flat attributes are those of the provoking vertex, at every vertex, to the bit") {
+  const Folder folder;
+  const auto flat_of = [&](const std::string& options, const std::string& input) {
+    std::set<std::string> values;
+    for (const std::string& row :
+         rows_of(folder, "--space clip --attributes 2 " + options, input)) {
+      values.insert(row.substr(row.rfind(',') + 1));
+    }
+    return values;
+  };
+  const std::string triangle = "0 0 0 1 0 0.1  3 0 0 1 1 0.2  0 3 0 1 2 16777215\n";
+  const std::string all = "--clipper 'distance_matrix' --flat 1";
+  CHECK(flat_of("--flat 1", triangle) == std::set<std::string>{"0.1"});
+  CHECK(flat_of(all + " --provoking last", triangle) == std::set<std::string>{"16777215"});
+  CHECK(flat_of("--provoking first", triangle).size() > 2);
+  // The parts of a concave polygon have that of the polygon.
+  const std::string dart = "0 0 0 1 0 7  1 -1 0 1 0 6  0 1 0 1 0 5  -1 -1 0 1 0 4\n";
+  CHECK(flat_of("--primitive polygon --flat 1", dart) == std::set<std::string>{"7"});
+  const Result r = folder.run("clip --space clip --attributes 2 --flat 3", triangle);
+  CHECK(r.code == 2);
+  CHECK(contains(r.err, "--flat: 3 asked for"));
+}
+
+TEST_CASE("clip: depth is clamped at both planes or at one") {
+  const Folder folder;
+  const auto depths = [&](const std::string& option) {
+    std::vector<double> z;
+    for (const std::string& row :
+         rows_of(folder, "--space clip --primitive segment " + option, "0 0 -3 1  0 0 3 1\n")) {
+      z.push_back(numbers_of(row).at(4));
+    }
+    return z;
+  };
+  CHECK(depths("") == std::vector<double>{-1, 1});
+  CHECK(depths("--depth-clamp") == std::vector<double>{-3, 3});
+  CHECK(depths("--depth-clamp=both") == std::vector<double>{-3, 3});
+  CHECK(depths("--depth-clamp=near") == std::vector<double>{-3, 1});
+  CHECK(depths("--depth-clamp=far") == std::vector<double>{-1, 3});
+  CHECK(folder.run("clip --space clip --depth-clamp=side", "").code == 2);
 }
 
 TEST_CASE("clip: a user plane cuts in the space of the input") {
@@ -415,6 +504,8 @@ TEST_CASE("clip: wrong options and names are usage errors, exit 2") {
          "cvv/near_first does not take --depth-clamp");
   expect("clip --space clip --primitive point --point-size 3", "--viewport");
   expect("clip --space clip --primitive point --viewport 64x64", "--point-size");
+  expect("clip --space clip --scissor 0,0,8,8", "--viewport");
+  expect("clip --space clip --scissor 0,0,8,0 --viewport 8x8", "--scissor");
   expect("clip --space clip --primitive point --point-size 3 --viewport 64", "WxH");
   expect("clip --space clip --primitive point --point-size 3 --viewport 64x0", "WxH");
   expect("clip --space clip --primitive point --point-size -3 --viewport 6x6", "--point-size");

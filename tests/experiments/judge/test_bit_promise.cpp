@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The check of promises to the bit must find those broken that a clipper does not keep.
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -75,6 +76,23 @@ TEST_CASE("bit promise: a w-plane with epsilon depends on scale") {
     triangle[i].attributes[0] = 0;
   }
   CHECK(broken(liar, triangle).find("scaled") != std::string::npos);
+}
+
+TEST_CASE("bit promise: a mean that changes a constant by an ulp is found out") {
+  const Contestant honest = contestant("textbook");
+  const Contestant liar = altered(honest, [](Numbers& polygon) {
+    for (auto& v : polygon) v[4] = std::nextafter(static_cast<float>(v[4]), 0.0f);
+  });
+  CHECK(complaint(liar).find("not constant") != std::string::npos);
+}
+
+TEST_CASE(
+    "bit promise: Blinn and Newell's vertices may lie outside the volume, by an ulp or more") {
+  Contestant liar = contestant("blinn_newell");
+  liar.promise.confined = true;
+  CHECK(complaint(liar).find("not confined") != std::string::npos);
+  CHECK(complaint(contestant("correctly_rounded")).empty());
+  CHECK(complaint(contestant("any_outside")).empty());
 }
 
 TEST_CASE("bit promise: a NaN is found") {

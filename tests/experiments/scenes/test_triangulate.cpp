@@ -7,6 +7,7 @@
 #include <random>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/scenes/flatness.hpp"
 #include "tests/catch.hpp"
 
 using namespace clipscope;
@@ -149,14 +150,36 @@ TEST_CASE("triangulate: what is not a simple polygon is named as such") {
   const auto bow_tie = on_plane({{0, 0}, {3, 2}, {3, 0}, {0, 1}});
   CHECK_THAT(message_of(bow_tie), Contains("shape.txt:7") && Contains("cross or touch"));
   const auto touching = on_plane({{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 1}});
-  CHECK_THAT(message_of(touching), Contains("cross or touch"));
+  CHECK_THAT(message_of(touching),
+             Contains("vertices 2 and 5 (counted from 0) are the same point"));
+  const auto on_an_edge = on_plane({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}});
+  CHECK_THAT(message_of(on_an_edge), Contains("cross or touch"));
   const auto twice = on_plane({{0, 0}, {2, 0}, {2, 0}, {0, 2}});
-  CHECK_THAT(message_of(twice), Contains("cross or touch"));
+  CHECK_THAT(message_of(twice), Contains("vertices 1 and 2 (counted from 0) are the same point"));
   CHECK_THAT(message_of(on_plane({{0, 0}, {1, 1}, {2, 2}})), Contains("no area"));
   CHECK_THAT(message_of(on_plane({{0, 0}, {1, 1}})), Contains("2 vertices"));
   auto infinite = on_plane(kComb);
   infinite[3][1] = std::numeric_limits<double>::infinity();
   CHECK_THAT(message_of(infinite), Contains("vertex 3") && Contains("inf"));
+}
+
+TEST_CASE("triangulate: a square with a corner off its plane is two triangles, by an ulp too") {
+  const double off = GENERATE(1.0, 0x1p-52, -0x1p-1074);
+  auto square = on_plane({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  CHECK(departure_from_plane(std::span<const Point3>(square)).is_flat());
+  square[3][2] = off == 0x1p-52 ? std::nextafter(square[3][2], 0.0) : square[3][2] + off;
+  if (off == -0x1p-1074) square = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, off}};
+  CHECK_FALSE(departure_from_plane(std::span<const Point3>(square)).is_flat());
+  CHECK(convex_parts(std::span<const Point3>(square)).size() == 2);
+}
+
+TEST_CASE("triangulate: how far a vertex is off the plane is told") {
+  const std::vector<Point3> roof = {{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 7, 3}};
+  const Departure found = departure_from_plane(std::span<const Point3>(roof));
+  CHECK(found.vertex == 3);
+  CHECK(found.distance == 3);
+  const std::vector<Point4> clip = {{0, 0, 0, 1}, {8, 0, 0, 1}, {8, 8, 0, 1}, {0, 7, 3, 5}};
+  CHECK(departure_from_plane(std::span<const Point4>(clip)).distance == 5);
 }
 
 TEST_CASE("triangulate: a convex polygon is one part, straight angles included; a dart is two") {

@@ -289,3 +289,28 @@ TEST_CASE("store: an older one is kept under its date") {
   CHECK(ResultsStore(second.kept).run_info().at(0).second == "2026-03-01T12:34:56Z");
   CHECK(ResultsStore(folder.path).run_info().at(0).second == "later");
 }
+
+TEST_CASE("store: the command of a run names every option of the camera that was given") {
+  Selection selection;
+  CameraOptions& camera = selection.camera;
+  CHECK_FALSE(run_command(selection, "depth").find("--far") != std::string::npos);
+  camera.eye = glm::dvec3(0, 2, 9);
+  camera.orientation = {0, 0, 0, 1};
+  camera.axes = CameraAxes::cv;
+  camera.intrinsics = Intrinsics{525, 526, 319.5, 239.5, 640, 480};
+  camera.near = 0.5;
+  camera.far = std::numeric_limits<double>::infinity();
+  camera.depth = clipscope::DepthRange::reversed;
+  const std::string command = run_command(selection, "depth");
+  for (const char* part :
+       {"--eye 0.0,2.0,9.0", "--orientation 0.0,0.0,0.0,1.0", "--axes cv", "--far inf",
+        "--intrinsics 525.0,526.0,319.5,239.5,640.0,480.0", "--depth reversed"}) {
+    INFO(command);
+    CHECK(command.find(part) != std::string::npos);
+  }
+  camera.intrinsics.reset();
+  camera.frustum = clipscope::Frustum<double>{};
+  camera.frustum->infinite_far = true;
+  CHECK(run_command(selection, "").find("--frustum -1.0,1.0,-1.0,1.0,1.0,inf") !=
+        std::string::npos);
+}

@@ -30,7 +30,8 @@ struct Case {
 inline std::string describe(const Case& c) {
   std::ostringstream s;
   s << std::hexfloat << "depth " << static_cast<int>(c.volume.depth) << " clamp "
-    << c.volume.depth_clamp << " distances " << c.volume.clip_distances << '\n';
+    << c.volume.depth_clamp.near << c.volume.depth_clamp.far << " distances "
+    << c.volume.clip_distances << '\n';
   for (const ClipVertex<float, kAttributes>& v : c.triangle) {
     for (int i = 0; i < 4; ++i) s << v.position[i] << ' ';
     for (const float a : v.attributes.values) s << a << ' ';
@@ -44,7 +45,7 @@ template <class Number>
 Case make_case(Random& random, Number&& number) {
   Case c;
   c.volume.depth = static_cast<DepthRange>(random() % 3);
-  c.volume.depth_clamp = random() % 5 == 0;
+  c.volume.depth_clamp = {random() % 4 == 0, random() % 4 == 0};
   c.volume.clip_distances = random() % 3 == 0 ? static_cast<int>(random() % 3) : 0;
   for (ClipVertex<float, kAttributes>& v : c.triangle) {
     for (int i = 0; i < 4; ++i) v.position[i] = number();

@@ -28,8 +28,8 @@ inline std::string describe(const ViewCase& c) {
   s << std::hexfloat << (f.kind == ProjectionKind::parallel ? "parallel " : "perspective ")
     << f.left << ' ' << f.right << ' ' << f.bottom << ' ' << f.top << ' ' << f.near << ' ' << f.far
     << (f.infinite_far ? " (infinite)" : "") << " shear " << f.shear_x << ' ' << f.shear_y
-    << " depth " << static_cast<int>(f.depth) << " clamp " << c.volume.depth_clamp << " distances "
-    << c.volume.clip_distances << '\n';
+    << " depth " << static_cast<int>(f.depth) << " clamp " << c.volume.depth_clamp.near
+    << c.volume.depth_clamp.far << " distances " << c.volume.clip_distances << '\n';
   for (const ViewVertex<float, kAttributes>& v : c.triangle) {
     for (int i = 0; i < 3; ++i) s << v.position[i] << ' ';
     for (const float a : v.attributes.values) s << a << ' ';
@@ -44,7 +44,7 @@ ViewCase make_view_case(Random& random, const Frustum<float>& f, Number&& number
   ViewCase c;
   c.frustum = f;
   c.volume.depth = f.depth;
-  c.volume.depth_clamp = random() % 5 == 0;
+  c.volume.depth_clamp = {random() % 4 == 0, random() % 4 == 0};
   c.volume.clip_distances = random() % 3 == 0 ? static_cast<int>(random() % 3) : 0;
   for (ViewVertex<float, kAttributes>& v : c.triangle) {
     for (int i = 0; i < 3; ++i) v.position[i] = number();

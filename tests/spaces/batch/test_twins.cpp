@@ -96,6 +96,7 @@ TEST_CASE("batch: clip distances and depth clamp are clipped as the plain versio
   for (const Method method : kStageMethods) {
     check_twins(method, {.clip_distances = 2}, soup.array());
     check_twins(method, {.depth_clamp = true}, soup.streams());
+    check_twins(method, {.depth_clamp = kClampNear}, soup.array());
   }
 }
 

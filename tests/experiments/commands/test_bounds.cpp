@@ -116,3 +116,12 @@ TEST_CASE("bounds: the table fits 100 columns") {
     }
   }
 }
+
+TEST_CASE("bounds: the experiment of the same name is still run") {
+  const Folder folder;
+  const Result r = folder.run("run bounds --quick --scene teapot --sample 50 --out " +
+                              quoted((folder.path() / "results").string()));
+  INFO(r.err);
+  CHECK(r.code == 0);
+  CHECK(std::filesystem::exists(folder.path() / "results" / "bounds.csv"));
+}

@@ -18,7 +18,7 @@ packages=(
   libopenimageio-dev fonts-dejavu-core        # pictures and the text in them
   libcairo2-dev                               # vector graphics
   openimageio-tools libopencv-core-dev        # OpenImageIO's CMake package names files of these
-  libassimp-dev                               # meshes
+  libboost-dev                                # search trees
   libcli11-dev nlohmann-json3-dev libfmt-dev  # command line, output
   libtbb-dev                                  # threads
   libsqlitecpp-dev libsqlite3-dev             # results store

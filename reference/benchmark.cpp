@@ -112,8 +112,10 @@ BENCHMARK_CAPTURE(BM_clip, straddling_matrix, kMatrix, Verdict::clipped);
 BENCHMARK_CAPTURE(BM_gold, straddling, kFrustum, Verdict::clipped);
 BENCHMARK_CAPTURE(BM_value, approximate, kFrustum, approximate);
 BENCHMARK_CAPTURE(BM_value, error_of, kFrustum, [](const Fraction& f) { return error_of(1.0, f); });
-BENCHMARK_CAPTURE(BM_value, round_to_float, kFrustum, round_to<float>);
-BENCHMARK_CAPTURE(BM_value, round_to_double, kFrustum, round_to<double>);
+BENCHMARK_CAPTURE(BM_value, round_to_float, kFrustum,
+                  [](const Fraction& f) { return round_to<float>(f); });
+BENCHMARK_CAPTURE(BM_value, round_to_double, kFrustum,
+                  [](const Fraction& f) { return round_to<double>(f); });
 
 }  // namespace
 

@@ -36,13 +36,11 @@ struct Truncated {
   long exponent;
 };
 
-// |value|. Pre-condition: value != 0.
-Truncated truncate(const Fraction& value) {
-  const CGAL::Gmpq a(value.numerator), b(value.denominator);
-  long exponent = log2_of_power(mpq_denref(b.mpq())) - log2_of_power(mpq_denref(a.mpq()));
+// |numerator / denominator| 2^exponent. Pre-condition: the numerator is not 0, the denominator > 0.
+Truncated truncate(mpz_srcptr numerator, mpz_srcptr denominator, long exponent) {
   Integer dividend, divisor, quotient, remainder;
-  mpz_abs(dividend, mpq_numref(a.mpq()));
-  mpz_set(divisor, mpq_numref(b.mpq()));
+  mpz_abs(dividend, numerator);
+  mpz_set(divisor, denominator);
 
   // Scale so that the integer quotient has 63 or 64 bits.
   const long shift = 63 + static_cast<long>(mpz_sizeinbase(divisor, 2)) -
@@ -52,12 +50,21 @@ Truncated truncate(const Fraction& value) {
   } else {
     mpz_mul_2exp(divisor, divisor, -shift);
   }
-  exponent -= shift;
 
   mpz_tdiv_qr(quotient, remainder, dividend, divisor);
   std::uint64_t significand = mpz_get_ui(quotient);
   if (mpz_sgn(static_cast<mpz_ptr>(remainder)) != 0) significand |= 1;
-  return {significand, exponent};
+  return {significand, exponent - shift};
+}
+
+// |value|. Pre-condition: value != 0.
+Truncated truncate(const Fraction& value) {
+  const CGAL::Gmpq a(value.numerator), b(value.denominator);
+  const long exponent = log2_of_power(mpq_denref(b.mpq())) - log2_of_power(mpq_denref(a.mpq()));
+  return truncate(mpq_numref(a.mpq()), mpq_numref(b.mpq()), exponent);
+}
+Truncated truncate(const Rational& value) {
+  return truncate(value.get_num_mpz_t(), value.get_den_mpz_t(), 0);
 }
 
 // Rounds to `digits` significant bits whose last one weighs at least 2^lowest, ties to even. The
@@ -76,16 +83,21 @@ double round_half_even(const Truncated& v, int digits, int lowest) {
   return std::ldexp(static_cast<double>(kept + (up ? 1 : 0)), static_cast<int>(v.exponent + drop));
 }
 
-template <class T>
-T round_exactly(const Fraction& value) {
+int sign_of(const Fraction& value) { return value.sign(); }
+int sign_of(const Rational& value) { return sgn(value); }
+
+// Number: Fraction or Rational.
+template <class T, class Number>
+T round_exactly(const Number& value) {
   using Limits = std::numeric_limits<T>;
-  if (value.sign() == 0) return T(0);
+  const int sign = sign_of(value);
+  if (sign == 0) return T(0);
   const int lowest = Limits::min_exponent - Limits::digits;  // of the smallest subnormal
   const double magnitude = round_half_even(truncate(value), Limits::digits, lowest);
   if (magnitude > static_cast<double>(Limits::max())) {
-    return value.sign() < 0 ? -Limits::infinity() : Limits::infinity();
+    return sign < 0 ? -Limits::infinity() : Limits::infinity();
   }
-  return static_cast<T>(value.sign() < 0 ? -magnitude : magnitude);
+  return static_cast<T>(sign < 0 ? -magnitude : magnitude);
 }
 
 // Whether neither a double's value nor a quotient of two such values can have under- or overflowed.
@@ -135,6 +147,16 @@ double round_to<double>(const Fraction& value) {
   return round_exactly<double>(value);
 }
 
+template <>
+float round_to<float>(const Rational& value) {
+  return round_exactly<float>(value);
+}
+
+template <>
+double round_to<double>(const Rational& value) {
+  return round_exactly<double>(value);
+}
+
 double error_of(double value, const Fraction& exact) {
   assert(std::isfinite(value));
   return approximate({Dyadic(value) * exact.denominator - exact.numerator, exact.denominator});
@@ -142,7 +164,7 @@ double error_of(double value, const Fraction& exact) {
 
 double error_of(const Rational& value, const Fraction& exact) {
   const Rational difference = value - to_rational(exact);
-  return CGAL::to_double(difference);
+  return round_to<double>(difference);
 }
 
 }  // namespace clipscope::reference

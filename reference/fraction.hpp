@@ -57,6 +57,12 @@ template <>
 float round_to<float>(const Fraction& value);
 template <>
 double round_to<double>(const Fraction& value);
+template <std::floating_point T>
+T round_to(const Rational& value);
+template <>
+float round_to<float>(const Rational& value);
+template <>
+double round_to<double>(const Rational& value);
 
 // value - exact, computed exactly, then rounded with a relative error of at most 2^-50 (one unit in
 // the last place where the result is subnormal). 0 where they are equal.

@@ -73,7 +73,9 @@ std::string finding(const std::vector<Row>& rows) {
     parts.push_back(
         fmt::format("{} {} px on {}", space, format_number(largest_px(worst)), worst.scene));
   }
-  if (parts.empty()) return "None of the usual clippers was asked for in float.";
+  if (parts.empty()) {
+    return "Nothing was judged: no usual clipper was asked for in float, or none had the right vertices of a visible triangle.";
+  }
   return fmt::format(
       "The largest error of float clipping where the vertices are the right ones: {}.",
       fmt::join(parts, ", "));

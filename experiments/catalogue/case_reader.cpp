@@ -61,6 +61,7 @@ class CaseReader {
       if (!text_.word(0).starts_with('#')) read_line();
     }
     finish();
+    if (!inexact_.empty()) refuse_inexact();
     return std::move(cases_);
   }
 
@@ -142,18 +143,31 @@ class CaseReader {
     case_.primitive = one_of<Primitive>(names_of(Primitive{}), text_.word(1), "primitive");
   }
 
-  // A number that a float holds exactly.
-  double number(std::string_view word) const {
+  // A number that a float holds exactly; others are noted, to be refused all at once.
+  double number(std::string_view word) {
     const std::optional<double> value = parse_number(word);
     require(value.has_value(),
             "found '{}'; expected a number such as -0.25 or a hex float such as -0x1p-2", word);
     const std::string defect = defect_of(*value);
     require(defect.empty(), "found '{}', {}; expected a finite number", word, defect);
     const auto as_float = static_cast<float>(*value);
-    require(double{as_float} == *value,
-            "found '{}', which no float holds; expected one that does: the nearest is {}", word,
-            hex_float(as_float));
-    return *value;
+    if (double{as_float} != *value) {
+      inexact_.push_back(
+          fmt::format("{}:{}: {} -> {}", file_, text_.line(), word, hex_float(as_float)));
+    }
+    return as_float;
+  }
+
+  [[noreturn]] void refuse_inexact() const {
+    constexpr std::size_t kMost = 20;
+    const std::size_t shown = std::min(inexact_.size(), kMost);
+    const std::string rest =
+        shown < inexact_.size() ? fmt::format("\n  and {} more", inexact_.size() - shown) : "";
+    refuse(
+        file_, "{} that no float holds; expected ones that do, the nearest are:\n  {}{}",
+        counted(inexact_.size(), "number was found", "numbers were found"),
+        fmt::join(inexact_.begin(), inexact_.begin() + static_cast<std::ptrdiff_t>(shown), "\n  "),
+        rest);
   }
 
   void read_space() {
@@ -177,7 +191,7 @@ class CaseReader {
         "the frustum encloses no volume; expected left < right, bottom < top, near < far, and in perspective 0 < near, else a finite far");
   }
 
-  void read_frustum(Frustum<double>& f) const {
+  void read_frustum(Frustum<double>& f) {
     const Words& words = text_.words();
     const bool parallel = words[2] == "parallel";
     f.kind = parallel ? ProjectionKind::parallel : ProjectionKind::perspective;
@@ -262,7 +276,8 @@ class CaseReader {
   }
 
   void finish() {
-    if (!is_open_) return;
+    // What is expected was said of the numbers given: without them there is nothing to check.
+    if (!is_open_ || !inexact_.empty()) return;
     for (const char* key : {"source", "why", "primitive", "space"}) {
       require_of_case(seen_.contains(key), "found no line '{}'; expected one", key);
     }
@@ -325,6 +340,7 @@ class CaseReader {
   std::set<std::string> seen_;  // its keys
   std::size_t expected_line_ = 0;
   std::optional<std::size_t> given_attributes_;
+  std::vector<std::string> inexact_;  // numbers that no float holds: "file:line: 0.1 -> nearest"
 };
 
 }  // namespace

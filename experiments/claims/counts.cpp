@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "experiments/claims/random_cases.hpp"
-#include "experiments/contestants/triangulate.hpp"
+#include "experiments/scenes/triangulate.hpp"
 #include "experiments/judge/compare.hpp"
 #include "experiments/selection/select.hpp"
 #include "reference/exact_clip.hpp"

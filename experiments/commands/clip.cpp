@@ -13,7 +13,7 @@
 
 #include "experiments/commands/options.hpp"
 #include "experiments/contestants/contestant.hpp"
-#include "experiments/contestants/triangulate.hpp"
+#include "experiments/scenes/triangulate.hpp"
 #include "experiments/selection/select.hpp"
 #include "experiments/table/hex_float.hpp"
 
@@ -28,7 +28,7 @@ struct ClipOptions {
   std::string clipper;  // empty: default_clipper(primitive)
   VolumeOptions volume;
   PointOptions point{.size = 0, .viewport = {0, 0}};  // 0: not given
-  bool hex = false;
+  bool hex = false, fraction = false;  // how numbers are written: decimal without either
 };
 
 // All but the primitives. Errors: UsageError.
@@ -119,10 +119,17 @@ Answers clip_parts(std::span<const Part> parts, const Contestant& contestant, Ba
   return clip(contestant, batch);
 }
 
-// A hex float, or the shortest decimal that reads back as the same number. What a double does not
-// hold is rounded to the nearest one, but decimals of double-double have 32 digits.
-std::string number_text(const Format& format, const Number& x, bool hex) {
-  if (hex) return hex_float(x.value);
+// Numerator/denominator in lowest terms, an integer without the denominator 1; "inf", "-inf" or
+// "nan" of what has none.
+std::string fraction_text(const Number& x) {
+  return is_finite(x) ? to_exact(x).get_str() : fmt::format("{}", x.value);
+}
+
+// A fraction, a hex float, or the shortest decimal that reads back as the same number. As a float
+// what a double does not hold is the nearest double, but decimals of double-double have 32 digits.
+std::string number_text(const Format& format, const Number& x, const ClipOptions& options) {
+  if (options.fraction) return fraction_text(x);
+  if (options.hex) return hex_float(x.value);
   if (format.precision == kFormat<dd_real>.precision) return dd_real(x.value, x.rest).to_string(32);
   return format.is_float() ? fmt::format("{}", static_cast<float>(x.value))
                            : fmt::format("{}", x.value);
@@ -144,7 +151,7 @@ void add_rows(const std::string& label, const PolygonView& polygon, const ClipOp
     fmt::format_to(std::back_inserter(text), "{},{}", label, v);
     for (std::size_t i = 0; i < vertex.size(); ++i) {
       if (i >= 4 && i < 4 + options.volume.planes.size()) continue;
-      text += ',' + number_text(polygon.format(), vertex[i], options.hex);
+      text += ',' + number_text(polygon.format(), vertex[i], options);
     }
     text += '\n';
   }
@@ -202,9 +209,11 @@ NDC; segment,vertex,... and point,vertex,... likewise, and polygon,part,vertex,.
 polygon is triangulated and its triangles are clipped, as all polygons are by a clipper of
 triangles. --clipper is by default homogeneous/sutherland_hodgman for triangles,
 homogeneous/liang_barsky for segments, point/pop for points, homogeneous/polygon for polygons.
-Numbers are rounded once when read: to float for float and counting, to double otherwise.
+Numbers are rounded once when read: to float for float and counting, to double otherwise. What
+the scalar exact answers is written as the nearest double; --fraction writes all of it.
 Examples:
   echo '-2 0 0 1  2 0 0 1' | clipscope clip --space clip --primitive segment --plane 1,0,0,0.5
+  echo '1 0 0 3  0 1 0 3  0 0 1 3' | clipscope clip --space clip --scalar exact --fraction
   echo '0 0 0 1 7  2 0 0 1 -1  0 .5 0 1 7' | clipscope clip --space clip --attributes 1 --clip-distances 1
   echo '1.1 0 0 1' | clipscope clip --space clip --primitive point --clipper pop_free --point-size 32 --viewport 256x256)";
 
@@ -218,7 +227,11 @@ void add_clip_command(CLI::App& app, Action& action) {
   add_option(command, "--clipper", options.clipper, "NAME", "Name of a clipper [see below]");
   add_volume_options(command, options.volume);
   add_point_options(command, options);
-  command.add_flag("--hex", options.hex, "Write hex floats");
+  CLI::Option* hex = command.add_flag("--hex", options.hex, "Write hex floats");
+  command
+      .add_flag("--fraction", options.fraction,
+                "Write numerator/denominator, exactly, of whatever scalar")
+      ->excludes(hex);
 }
 
 }  // namespace clipscope::experiments::commands

@@ -10,6 +10,7 @@
 #include "experiments/commands/options.hpp"
 #include "experiments/contestants/columns.hpp"
 #include "experiments/machine/machine.hpp"
+#include "experiments/scenes/mesh_edges.hpp"
 #include "experiments/survey/accuracy.hpp"
 #include "experiments/survey/contest_clock.hpp"
 
@@ -29,14 +30,21 @@ struct CompareRow {
   std::optional<Timing> timing;
   std::optional<std::string> refused;
 
-  static constexpr std::array<std::string_view, 2> kNotes = {
+  static constexpr std::array<std::string_view, 3> kNotes = {
+      "Wrong: triangles that look it: not the right vertices, or one of them 1/256 px off or more.",
       kAccuracyNote,
       "x textbook: how many times faster than textbook in float, median of ratios within a round; intervals cover 95 %."};
   static constexpr auto columns() {
     using R = CompareRow;
-    return std::tuple(contestant_columns(&R::clipper, &R::scalar), group(&R::accuracy),
-                      group(&R::timing),
-                      column("timing_refused", "not timed because", &R::refused));
+    using A = AccuracyFigures;
+    // The verdict first, so that it stands beside the contestant on a terminal.
+    return std::tuple(
+        contestant_columns(&R::clipper, &R::scalar),
+        group(&R::accuracy,
+              std::tuple_cat(std::tuple(derived("wrong", "wrong", &A::wrong)), A::px_columns())),
+        group(&R::timing),
+        group(&R::accuracy, std::tuple_cat(A::outcome_columns(), A::other_columns())),
+        column("timing_refused", "not timed because", &R::refused));
   }
 };
 
@@ -68,10 +76,16 @@ int compare_contestants(const CompareOptions& options) {
   const std::string left_out = leave_out_frustum_clippers(selection, contestants);
   std::vector<AccuracyTally> tallies(contestants.size());
   std::vector<SampledView> views;
+  std::vector<std::string> cracks;  // that the meshes have by themselves
   const AccuracyOptions accuracy{.triangles_per_view = selection.sample};
   const std::vector<std::string> names = scene_names(selection);
   for (const std::string& name : names) {
     const Scene scene = load_selected_scene(selection, name);
+    if (const MeshEdges edges = edges_of(scene.mesh); edges.may_crack()) {
+      cracks.push_back(
+          fmt::format("{} as given has {}: a picture may crack there however it is clipped.",
+                      scene.name, crack_text(edges)));
+    }
     Progress progress(fmt::format("compare on {}", scene.name), sampled_triangles(scene, accuracy));
     measure_accuracy(scene, contestants, accuracy, tallies, progress);
     std::ranges::move(sampled_views(scene, kTimedTriangles / names.size()),
@@ -88,6 +102,7 @@ int compare_contestants(const CompareOptions& options) {
                AccuracyFigures(tallies[i]), if_timed(timing),
                timing.is_timed() ? std::nullopt : std::optional(timing.refused)});
   }
+  for (const std::string& note : cracks) table.add_note(note);
   if (!left_out.empty()) table.add_note(left_out);
   table.add_note(machine_description());
   print_table(table, selection.json, options.out);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include <iostream>
 
 #include "experiments/contestants/scalars.hpp"
+#include "experiments/scenes/text_file.hpp"
 
 namespace clipscope::experiments::commands {
 namespace {
@@ -47,32 +49,19 @@ bool reads_floats(const PrimitiveTextOptions& options) {
   return options.scalar == kFormat<float>.name || options.scalar == kFormat<Counted>.name;
 }
 
-std::vector<std::string> split(std::string_view line) {
-  constexpr std::string_view kBetween = ", \t\n\v\f\r";
-  line = line.substr(0, line.find('#'));
-  std::vector<std::string> words;
-  for (auto i = line.find_first_not_of(kBetween); i != line.npos;
-       i = line.find_first_not_of(kBetween)) {
-    line.remove_prefix(i);
-    words.emplace_back(line.substr(0, line.find_first_of(kBetween)));
-    line.remove_prefix(words.back().size());
-  }
-  return words;
-}
-
 }  // namespace
 
 double parse_number(const std::string& word, bool as_float, const std::string& place) {
   char* end = nullptr;
   const double value = as_float ? std::strtof(word.c_str(), &end) : std::strtod(word.c_str(), &end);
   if (end != word.c_str() + word.size()) {
-    throw InputError(fmt::format(
-        "{}: '{}' is not a number; expected a decimal such as -0.25 or a hex float such as -0x1p-2",
-        place, word));
+    refuse(place,
+           "'{}' is not a number; expected a decimal such as -0.25 or a hex float such as -0x1p-2",
+           word);
   }
   if (std::isfinite(value)) return value;
-  throw InputError(fmt::format("{}: '{}' is not finite{}; expected a finite number", place, word,
-                               as_float ? " as a float" : ""));
+  refuse(place, "'{}' is not finite{}; expected a finite number", word,
+         as_float ? " as a float" : "");
 }
 
 namespace {
@@ -100,16 +89,24 @@ struct LineShape {
   }
 };
 
-std::vector<TextLine> lines_of(std::istream& in, const std::string& source) {
+std::vector<TextLine> lines_of(const std::string& source, std::string_view text) {
   std::vector<TextLine> lines;
-  std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    std::vector<std::string> words = split(line);
-    if (!words.empty()) lines.push_back({fmt::format("{}:{}", source, number), std::move(words)});
+  TextFile file(source, text, {.separator = ',', .comment = '#'});
+  while (file.next_words()) {
+    lines.push_back({file.place(), {file.words().begin(), file.words().end()}});
   }
-  if (in.bad()) throw InputError(fmt::format("{}: can't be read", source));
   return lines;
+}
+
+// All that is left of a stream. Errors: InputError.
+std::string read_all(std::istream& in, const std::string& name) {
+  std::string text;
+  std::array<char, 65536> block;
+  while (in.read(block.data(), block.size()) || in.gcount() > 0) {
+    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (in.bad()) throw InputError(fmt::format("{}: can't be read", name));
+  return text;
 }
 
 // Errors: UsageError.
@@ -315,11 +312,11 @@ Batch described_batch(const PrimitiveTextOptions& options) {
 }
 
 std::vector<TextLine> read_lines(const std::string& path) {
-  if (path == "-") return lines_of(std::cin, "standard input");
+  if (path == "-") return lines_of("standard input", read_all(std::cin, "standard input"));
   errno = 0;
   std::ifstream file(path);
   if (!file) throw InputError(fmt::format("{}: can't be opened: {}", path, std::strerror(errno)));
-  return lines_of(file, path);
+  return lines_of(path, read_all(file, path));
 }
 
 std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
@@ -330,8 +327,7 @@ std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
   std::vector<TextPrimitive> primitives;
   for (const TextLine& line : read_lines(options.file)) {
     if (!shape.fits(line.words.size())) {
-      throw InputError(fmt::format("{}: found {} numbers; {}", line.place, line.words.size(),
-                                   shape.text(options)));
+      refuse(line.place, "found {} numbers; {}", line.words.size(), shape.text(options));
     }
     std::vector<double>& values = primitives.emplace_back(TextPrimitive{line.place, {}}).values;
     for (const std::string& word : line.words) {

@@ -29,15 +29,16 @@ int print_plans(const PlanCommand& options) {
   for (const std::string& name : scene_names(selection)) {
     effects::NeededScene needed = effects::load_needed_scene(selection, name);
     needed.depth = needed.depth && !options.no_depth;
+    const auto views = effects::plan_views(needed, options.settings, selection.sample);
+    if (!selection.json) {
+      print_table(effects::plan_matrix(needed.scene.name, views), false);
+      continue;
+    }
     TableOf<PlanRow> table("plan", fmt::format("Effects that {} calls for", needed.scene.name));
-    for (const auto& view : effects::plan_views(needed, options.settings, selection.sample)) {
+    for (const auto& view : views) {
       for (const auto& line : effects::plan_lines(view)) table.add({view.view.label, line});
     }
-    if (selection.json) {
-      all.push_back(table.to_json());
-    } else {
-      print_table(table, false);
-    }
+    all.push_back(table.to_json());
   }
   if (selection.json) fmt::print("{}\n", all.dump(2));
   return kExitOk;

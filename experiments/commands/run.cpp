@@ -83,11 +83,12 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+// What is known when `done` of `all` experiments are, taking it that each takes as long; empty
+// before the first.
 std::string time_left(double elapsed, std::size_t done, std::size_t all) {
-  if (done == all) return "";
+  if (done == 0) return "";
   const double left = elapsed / static_cast<double>(done) * static_cast<double>(all - done);
-  return fmt::format("; {:.0f} s in all, about {:.0f} s more if the others take as long each",
-                     elapsed, left);
+  return fmt::format(" ({:.0f} s so far, about {:.0f} s left)", elapsed, left);
 }
 
 int run_experiments(RunOptions options) {
@@ -109,16 +110,18 @@ int run_experiments(RunOptions options) {
     const Experiment& experiment = *all_experiments()[chosen[i]];
     const std::string name(experiment.name), question(experiment.question);
     const auto start = std::chrono::steady_clock::now();
-    fmt::print(stderr, "[{}/{}] {}: {}\n", i + 1, chosen.size(), name, question);
+    fmt::print(stderr, "[{}/{}] {}: {}{}\n", i + 1, chosen.size(), name, question,
+               time_left(seconds_since(run_start), i, chosen.size()));
     recorder->begin({name, question, run_command(options.selection, name), "", 0, false},
                     static_cast<std::int64_t>(chosen[i]));
     experiment.run(context);
     recorder->finish(seconds_since(start));
-    fmt::print(stderr, "[{}/{}] {}: done in {:.0f} s{}\n", i + 1, chosen.size(), name,
-               seconds_since(start), time_left(seconds_since(run_start), i + 1, chosen.size()));
+    context.tell_files();
   }
   write_report(recorder->store(), options.out);
+  fmt::print(stderr, "all done in {:.0f} s\n", seconds_since(run_start));
   context.emit_file(context.out() / kReportFile);
+  context.tell_files();
   return kExitOk;
 }
 
@@ -127,10 +130,10 @@ int run_experiments(RunOptions options) {
 void add_run_command(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(
       app, action, run_experiments, "run", "Run experiments; write tables and pictures",
-      R"(Tables are printed and written as Markdown, CSV and LaTeX, plots as SVG, PDF and PNG, pictures
-as PNG and EXR, and everything into DIR/results.sqlite, piece by piece: a run that was
-interrupted is finished by the same command with --resume. See `clipscope table` and
-`clipscope diff`.)");
+      R"(Printed are each experiment's finding and where its results are. Tables are written as
+Markdown, CSV and LaTeX, plots as SVG, PDF and PNG, pictures as PNG and EXR, and everything into
+DIR/results.sqlite, piece by piece: a run that was interrupted is finished by the same command
+with --resume. See `clipscope table` and `clipscope diff`.)");
   command.add_option("experiment", options.names,
                      "Names of experiments (see `clipscope list experiments`) [all]");
   add_scene_options(command, options.selection);
@@ -145,6 +148,7 @@ interrupted is finished by the same command with --resume. See `clipscope table`
                   "Threads to use at most; the results do not depend on it [all processors]")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
+  command.add_flag("--tables", options.selection.tables, "Print every table, too");
   add_json_option(command, options.selection);
 }
 

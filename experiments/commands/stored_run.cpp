@@ -132,7 +132,8 @@ int diff(const DiffOptions& options) {
     fmt::print("{} of {} figures moved; {} rows, columns or tables are in one run only.\n",
                difference.moved.size(), difference.figures, difference.lone.size());
   }
-  return difference.moved.empty() && difference.lone.empty() ? kExitOk : kExitMoved;
+  if (!difference.moved.empty() || !difference.lone.empty()) return kExitMoved;
+  return difference.figures > 0 ? kExitOk : kExitNothingJudged;
 }
 
 // --- report, paper -------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 //
 // clipscope verify: does a clipper keep its promise on every triangle of scenes, of the catalogue
 // of hard cases, or of both?
+#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -10,8 +11,10 @@
 
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/commands/options.hpp"
+#include "experiments/judge/compare.hpp"
 #include "experiments/judge/promise.hpp"
 #include "experiments/machine/progress.hpp"
+#include "experiments/scenes/text_file.hpp"
 #include "experiments/selection/replay_text.hpp"
 #include "experiments/survey/verdicts.hpp"
 #include "experiments/table/hex_float.hpp"
@@ -34,15 +37,27 @@ struct Offender {
 };
 
 struct Verified {
-  std::size_t triangles = 0, outside_domain = 0, broken = 0;
+  std::size_t triangles = 0, not_applicable = 0, outside_domain = 0, broken = 0;
+  OutcomeCounts wrong_outside{};  // answers that are wrong where the promise does not speak
   double largest_ulps = 0;
   std::optional<Offender> worst;
 
-  // Whether it is the worst that is broken so far.
-  bool add(const PromiseCheck& check) {
+  std::size_t judged() const { return triangles - not_applicable - outside_domain; }
+  bool is_kept() const { return judged() > 0 && broken == 0; }
+
+  // Whether it is the worst that is broken so far. compare() is asked what became of a triangle
+  // that the promise does not speak of.
+  template <class Compare>
+  bool add(const PromiseCheck& check, const Compare& compare) {
     ++triangles;
-    outside_domain += check.verdict == PromiseVerdict::outside_domain;
     largest_ulps = std::max(largest_ulps, check.ulps);
+    if (check.verdict == PromiseVerdict::outside_domain) {
+      ++outside_domain;
+      const Comparison comparison = compare();
+      if (comparison.visible && is_failure(comparison.outcome)) {
+        ++wrong_outside[static_cast<std::size_t>(comparison.outcome)];
+      }
+    }
     if (check.verdict != PromiseVerdict::broken) return false;
     ++broken;
     return !worst || check.ulps > worst->check.ulps;
@@ -74,7 +89,11 @@ void verify_triangles(const Contestant& contestant, const std::string& scene, co
     break_by_bits(checks[i], broken_bits(contestant, batch_of(view, std::span(&triangles[i], 1))));
   });
   for (std::size_t i = 0; i < checks.size(); ++i) {
-    if (!verified.add(checks[i])) continue;
+    const auto comparison = [&] {
+      return compare(answers[i],
+                     truth_polygon(checker.truth(), reference::input_triangle(triangles[i])));
+    };
+    if (!verified.add(checks[i], comparison)) continue;
     const std::string input = projection_options(view) + "\n    " + hex_line(triangles[i]);
     verified.worst = {checks[i],  scene,
                       view.label, (first + i) * stride,
@@ -101,8 +120,16 @@ std::string hex_case(const HardCase& c) {
 }
 
 void verify_case(const Contestant& contestant, const HardCase& hard_case, Verified& verified) {
+  if (!takes(contestant, hard_case)) {
+    ++verified.triangles;
+    ++verified.not_applicable;
+    return;
+  }
   const PromiseCheck check = check_case(contestant, hard_case);
-  if (!verified.add(check)) return;
+  const auto comparison = [&] {
+    return judge_case(contestant, hard_case, truth_polygon(hard_case));
+  };
+  if (!verified.add(check, comparison)) return;
   verified.worst = {
       check, "catalogue",         hard_case.name,
       0,     hex_case(hard_case), hex_polygon(clip_case(contestant, hard_case)[0], 4)};
@@ -125,13 +152,19 @@ void verify_catalogue(const Contestant& contestant, const std::vector<HardCase>&
 }
 
 nlohmann::json to_json(const Contestant& contestant, const Verified& verified) {
-  nlohmann::json json = {
-      {"clipper", contestant.clipper},   {"scalar", contestant.scalar()},
-      {"triangles", verified.triangles}, {"outside_domain", verified.outside_domain},
-      {"broken", verified.broken},       {"kept", verified.broken == 0}};
+  nlohmann::json json = {{"clipper", contestant.clipper},
+                         {"scalar", contestant.scalar()},
+                         {"triangles", verified.triangles},
+                         {"judged", verified.judged()},
+                         {"not_applicable", verified.not_applicable},
+                         {"outside_domain", verified.outside_domain},
+                         {"outside_domain_wrong", sum_of(verified.wrong_outside)},
+                         {"broken", verified.broken},
+                         {"kept", verified.is_kept()}};
   json["largest_backward_error_ulp"] = std::isfinite(verified.largest_ulps)
                                            ? nlohmann::json(verified.largest_ulps)
                                            : nlohmann::json("inf");
+  json["promised_backward_error_ulp"] = contestant.promise.ulps;
   if (verified.worst) {
     const Offender& worst = *verified.worst;
     json["worst"] = {{"scene", worst.scene},       {"view", worst.view},
@@ -141,21 +174,62 @@ nlohmann::json to_json(const Contestant& contestant, const Verified& verified) {
   return json;
 }
 
-void print(const Contestant& contestant, const Verified& verified) {
-  fmt::print("{} {}: promise {} on {} triangles", contestant.clipper, contestant.scalar(),
-             verified.broken == 0 ? "kept" : "BROKEN",
-             verified.triangles - verified.outside_domain);
-  if (verified.outside_domain > 0) {
-    fmt::print(" ({} more are outside its domain)", verified.outside_domain);
+// "wrong answers among these: 80 (60 missing, 20 visible)".
+std::string wrong_text(const OutcomeCounts& wrong) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < wrong.size(); ++i) {
+    if (wrong[i] > 0) parts.push_back(fmt::format("{} {}", wrong[i], kOutcomeNames[i]));
   }
-  fmt::print("\nlargest backward error: {:.3g} of the promise's unit\n", verified.largest_ulps);
-  if (!verified.worst) return;
+  if (parts.empty()) return "no answer among these is wrong";
+  return fmt::format("wrong answers among these: {} ({})", sum_of(wrong), fmt::join(parts, ", "));
+}
+
+// What the promise was not judged on.
+void print_unjudged(const Verified& verified) {
+  if (verified.outside_domain > 0) {
+    fmt::print("outside the promise's domain: {}; {}\n",
+               counted(verified.outside_domain, "triangle", "triangles"),
+               wrong_text(verified.wrong_outside));
+  }
+  if (verified.not_applicable > 0) {
+    fmt::print("not taken by the clipper: {}\n",
+               counted(verified.not_applicable, "triangle", "triangles"));
+  }
+}
+
+void print_worst(const Verified& verified) {
   const Offender& worst = *verified.worst;
   fmt::print("broken on {} triangles; the worst: scene {}, view {}, triangle {}\n  {}\n",
              verified.broken, worst.scene, worst.view, worst.triangle, worst.check.reason);
   fmt::print(
       "  input (three vertices: coordinates, then attributes):\n    {}\n  output (x y z 1/w, attributes):\n{}",
       worst.input, worst.output);
+}
+
+// The backward error in units of the promise (spaces/clipper.hpp).
+void print_error(const Promise& promise, const Format& format, double ulps) {
+  if (format.is_exact()) {
+    fmt::print("backward error: {}\n", ulps == 0 ? "none, as promised" : "some; none is promised");
+    return;
+  }
+  fmt::print("largest backward error: {:.3g} u M; at most {:.3g} u M is promised\n", ulps,
+             promise.ulps);
+  fmt::print(
+      "  u: unit roundoff of {}; M: size of the triangle's clip coordinates{}\n", format.name,
+      promise.amplification == Promise::Amplification::w_ratio ? ", times w_max / w_min" : "");
+}
+
+void print(const Contestant& contestant, const Verified& verified) {
+  fmt::print("{} {}: ", contestant.clipper, contestant.scalar());
+  if (verified.judged() == 0) {
+    fmt::print("NOTHING JUDGED: no triangle was found that the promise speaks of\n");
+  } else {
+    fmt::print("promise {} on {} triangles\n", verified.broken == 0 ? "kept" : "BROKEN",
+               verified.judged());
+    print_error(contestant.promise, *contestant.format, verified.largest_ulps);
+  }
+  print_unjudged(verified);
+  if (verified.worst) print_worst(verified);
 }
 
 int verify(const VerifyOptions& options) {
@@ -178,7 +252,8 @@ int verify(const VerifyOptions& options) {
   } else {
     print(contestant, verified);
   }
-  return verified.broken == 0 ? kExitOk : kExitPromiseBroken;
+  if (verified.broken > 0) return kExitPromiseBroken;
+  return verified.judged() > 0 ? kExitOk : kExitNothingJudged;
 }
 
 }  // namespace
@@ -187,8 +262,9 @@ void add_verify_command(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(
       app, action, verify, "verify",
       "Check a clipper's promises on every triangle of scenes or of the hard cases",
-      R"(Exit code 0: the promise holds on every triangle; 1: it is broken, and the worst offender is
-printed as hex floats. `clipscope list clippers` shows the promises.)");
+      R"(Exit code 0: the promise holds on every triangle that it speaks of; 1: it is broken, and the
+worst offender is printed as hex floats; 5: it speaks of none of the triangles, so nothing was
+judged. `clipscope list clippers` shows the promises.)");
   add_contestant_options(command, options.selection.clipper, options.scalar);
   command.add_flag(
       "--catalogue", options.catalogue,

@@ -51,9 +51,12 @@ Number VertexView::operator[](std::size_t i) const {
 
 const Format& PolygonView::format() const { return answers_->format(); }
 
+// The parts need not be those of QD's normal form, in which the first is the nearest double.
 void Answers::add(const dd_real& x) {
-  values_.push_back(nearest_double(x));
-  rests_.push_back(std::isfinite(values_.back()) ? x.x[1] : 0);
+  double rest = 0;
+  const double value = qd::two_sum(x.x[0], x.x[1], rest);
+  values_.push_back(value);
+  rests_.push_back(std::isfinite(value) ? rest : 0);
 }
 
 void Answers::add(const Exact& x) {

@@ -16,8 +16,8 @@ namespace clipscope::experiments {
 
 // A number of an answer. NaN and infinity are those of `value`.
 struct Number {
-  double value = 0;  // itself; of wider scalars the nearest double or next to it
-  double rest = 0;   // double-double: the number is value + rest
+  double value = 0;                              // itself; of wider scalars the nearest double
+  double rest = 0;                               // double-double: the number is value + rest
   std::shared_ptr<const Exact> exact = nullptr;  // exact arithmetic: the number
 
   // Compares values: 0 equals -0, and a NaN equals nothing.

@@ -106,12 +106,20 @@ bool is_finite(const NdcVertex<T, K>& v) {
   return true;
 }
 
-// The value as a double: exactly for float, double and counting, else the nearest or next to it.
+// The nearest double, ties to even: the value itself of float, double and counting.
 inline double nearest_double(float x) { return x; }
 inline double nearest_double(double x) { return x; }
 inline double nearest_double(const dd_real& x) { return x.x[0] + x.x[1]; }
-inline double nearest_double(const Exact& x) { return CGAL::to_double(x); }
+inline double nearest_double(const Exact& x) { return reference::round_to<double>(x); }
 inline double nearest_double(const Counted& x) { return x.value(); }
+
+// value + rest, each the nearest double to what is there to hold: an error of at most 2^-106 of the
+// value, where nothing over- or underflows.
+inline dd_real nearest_double_double(const Exact& x) {
+  const double value = nearest_double(x);
+  if (!std::isfinite(value)) return {value, 0};
+  return {value, nearest_double(Exact(x - Exact(value)))};
+}
 
 // The value as a rational, exactly. Pre-condition: is_finite(x).
 inline Exact to_exact(float x) { return Exact(x); }

@@ -91,7 +91,7 @@ Seen see_edge(const Setting& setting, const Rational& from, const Rational& to, 
   return {1 / inverse, (1 - s) * a + s * b};
 }
 
-double magnitude(const Rational& difference) { return std::abs(CGAL::to_double(difference)); }
+double magnitude(const Rational& difference) { return std::abs(nearest_double(difference)); }
 
 void check_straight(const Setting& setting, const Seen& seen, FormRow& row) {
   const Rational right = setting.depth(seen.distance);
@@ -197,9 +197,9 @@ Rational Buffer::exact(float distance) const {
 double Buffer::error_ulp(float distance) const {
   const Rational right = exact(distance);
   const Rational difference = to_rational(stored(distance)) - right;
-  const double error = std::abs(CGAL::to_double(difference));
+  const double error = std::abs(nearest_double(difference));
   if (format_ != Stored::float32) return error * largest_code(format_);
-  return error / kFormat<float>.ulp_at(CGAL::to_double(right));
+  return error / kFormat<float>.ulp_at(nearest_double(right));
 }
 
 std::vector<float> spread_distances(float near, float far, std::size_t count, Random& random) {

@@ -11,6 +11,7 @@ namespace clipscope::experiments {
 namespace {
 
 using reference::Rational;
+using reference::round_to;
 using reference::to_rational;
 
 constexpr double kOverhang = 0.1;  // of the window: cut shapes end so far outside the frame
@@ -49,7 +50,7 @@ Rational fraction_along(const PanelAxis& axis, const ExactPosition& p) {
 }
 
 double clamped(const Rational& value) {
-  return std::clamp(CGAL::to_double(value), -kFarthest, kFarthest);
+  return std::clamp(round_to<double>(value), -kFarthest, kFarthest);
 }
 
 double distance(Spot a, Spot b) { return std::hypot(b.x - a.x, b.y - a.y); }
@@ -144,7 +145,7 @@ struct Window {
 std::vector<Spot> planar(const ExactShape& shape, const PanelAxis& h, const PanelAxis& v) {
   std::vector<Spot> points;
   for (const ExactPosition& p : shape) {
-    const Spot at = {CGAL::to_double(p[h.coordinate]), CGAL::to_double(p[v.coordinate])};
+    const Spot at = {round_to<double>(p[h.coordinate]), round_to<double>(p[v.coordinate])};
     if (std::abs(at.x) < kFarthest && std::abs(at.y) < kFarthest) points.push_back(at);
   }
   std::ranges::sort(points, {}, [](Spot p) { return std::max(std::abs(p.x), std::abs(p.y)); });
@@ -234,7 +235,7 @@ std::vector<Spot> Panel::visible_part(const ExactShape& shape) const {
   }
   std::vector<Spot> spots;
   for (const PlanarPoint& p : planar) {
-    spots.push_back(spot_of(CGAL::to_double(p[0]), CGAL::to_double(p[1])));
+    spots.push_back(spot_of(round_to<double>(p[0]), round_to<double>(p[1])));
   }
   return spots;
 }

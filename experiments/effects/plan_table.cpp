@@ -194,6 +194,35 @@ std::vector<PlanLine> plan_lines(std::span<const PlannedView> views) {
   return most;
 }
 
+Table plan_matrix(const std::string& scene, std::span<const PlannedView> views) {
+  std::vector<Column> columns = {{"effect", "effect"}};
+  std::vector<std::vector<PlanLine>> lines;
+  for (const PlannedView& view : views) {
+    columns.push_back({view.view.label, view.view.label});
+    lines.push_back(plan_lines(view));
+  }
+  columns.push_back({"because", "because"});
+  Table table("plan", fmt::format("Effects that {} calls for, by view", scene), columns);
+  std::vector<std::string> uncalled;
+  for (std::size_t i = 0; i < lines[0].size(); ++i) {
+    const auto most = std::ranges::max_element(
+        lines, {}, [i](const std::vector<PlanLine>& of_view) { return of_view[i].rank; });
+    const PlanLine& line = (*most)[i];
+    if (line.rank == 0) {
+      uncalled.push_back(fmt::format("{} ({})", line.effect, line.because));
+      continue;
+    }
+    std::vector<Cell> cells = {line.effect};
+    for (const auto& of_view : lines) cells.emplace_back(of_view[i].called_for);
+    cells.emplace_back(line.because);
+    table.add_row(std::move(cells));
+  }
+  if (!uncalled.empty()) {
+    table.add_note(fmt::format("Called for by no view: {}.", fmt::join(uncalled, "; ")));
+  }
+  return table;
+}
+
 std::string called_for_in_short(std::span<const PlannedView> views) {
   EffectSet e = views.front().plan.effects();
   for (const PlannedView& view : views) e = e | view.plan.effects();

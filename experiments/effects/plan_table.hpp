@@ -68,6 +68,11 @@ std::vector<PlanLine> plan_lines(const PlannedView& view);
 // most, with the number of views that call for it.
 std::vector<PlanLine> plan_lines(std::span<const PlannedView> views);
 
+// The same for people: effects that some view calls for as rows, views as columns, and the reason
+// of the view that calls for most. The other effects are named in a note. Pre-condition: the scene
+// has a view.
+Table plan_matrix(const std::string& scene, std::span<const PlannedView> views);
+
 // The effects that some view calls for, in few words: "near sides w 1/w".
 std::string called_for_in_short(std::span<const PlannedView> views);
 

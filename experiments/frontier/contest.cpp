@@ -8,6 +8,7 @@
 namespace clipscope::experiments::frontier {
 
 double Entry::error(Measure measure) const {
+  if (accuracy.visible == 0) return std::numeric_limits<double>::quiet_NaN();
   switch (measure) {
     case Measure::max_px: return accuracy.error_px.max();
     case Measure::misrounded: return 100.0 - accuracy.correctly_rounded_percent();

@@ -39,12 +39,13 @@ bool is_named_though_dominated(const std::string& clipper, const std::string& sc
 std::vector<PlottedPoint> plotted_points(const std::vector<Row>& rows, const PlottedFrontier& of) {
   std::vector<PlottedPoint> points;
   for (const Row& row : rows_where(rows, &Row::set, of.set, &Row::contract, of.contract)) {
-    if (!row.timing) continue;
+    const std::optional<double> error = row.error(of.measure);
+    if (!row.timing || !error) continue;
     const bool on_frontier = row.place(of.measure).standing == Standing::frontier;
     const bool named = of.contract != Contract::full || on_frontier ||
                        is_named_though_dominated(row.clipper, row.scalar);
     points.push_back({named ? short_name(row.clipper) + " " + row.scalar : "",
-                      row.timing->ns.median, row.error(of.measure).value(), on_frontier});
+                      row.timing->ns.median, *error, on_frontier});
   }
   std::ranges::stable_sort(points, {},
                            [](const PlottedPoint& p) { return std::pair(p.ns, p.error); });
@@ -165,6 +166,10 @@ std::string finding(const std::vector<Row>& rows, const std::vector<StepRow>& st
     for (const Row& row : rows_where(rows, &Row::set, set, &Row::contract, Contract::full)) {
       timed += row.by_px.standing != Standing::unranked;
       members += row.by_px.standing == Standing::frontier;
+    }
+    if (timed == 0) {
+      sentences.push_back(set + ": nobody could be judged and timed");
+      continue;
     }
     std::string sentence = fmt::format("{}: {} of {} are not dominated", set, members, timed);
     sentence += chain_text(steps_in(Contract::full, Measure::max_px));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/contestants/scalars.hpp"
 #include "experiments/judge/outcome.hpp"
 #include "experiments/report/outcode_text.hpp"
 #include "spaces/planes.hpp"
@@ -51,7 +52,7 @@ std::string place_of(const HardCase& hard_case, const reference::InputVertex& ve
 
 double px_between(const ExactPosition& a, const ExactPosition& b) {
   const auto offset = to_screen(a, b);
-  return std::hypot(CGAL::to_double(offset[0]), CGAL::to_double(offset[1]));
+  return std::hypot(nearest_double(offset[0]), nearest_double(offset[1]));
 }
 
 const ExactPosition& nearest(const ExactShape& shape, const ExactPosition& to) {

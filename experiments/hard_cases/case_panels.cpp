@@ -45,7 +45,7 @@ void write_lines(VectorPage& page, Spot at, const std::string& text, double widt
 
 // "x = 0.5", not to be broken.
 std::string coordinate_text(const ExactPosition& p, const PanelAxis& axis) {
-  const double value = CGAL::to_double(p[axis.coordinate]);
+  const double value = nearest_double(p[axis.coordinate]);
   return fmt::format("{}\u00a0=\u00a0{}", "xyzw"[axis.coordinate], short_number(value, 3));
 }
 
@@ -161,7 +161,7 @@ Panel ndc_panel(const CaseSketch& s, const Rect& frame) {
   double half = 1.2;
   for (const ExactPosition& p : s.geometry.answer_ndc) {
     for (const std::size_t c : {0u, 1u}) {
-      const double size = std::abs(CGAL::to_double(p[c]));
+      const double size = std::abs(nearest_double(p[c]));
       if (size < kNdcLimit) half = std::max(half, 1.15 * size);
     }
   }
@@ -213,7 +213,7 @@ void say_what_is_missing(const CaseSketch& s, Panel& panel) {
 // exactly.
 std::optional<double> ulp_in(const Format& format, const Rational& x) {
   if (format.is_exact() || format.precision > 53) return std::nullopt;
-  return format.ulp_at(CGAL::to_double(x));
+  return format.ulp_at(nearest_double(x));
 }
 
 // The error in px and, unless they have no meaning as beside 0, in ulps.
@@ -222,7 +222,7 @@ std::string error_text(const CaseSketch& s, const ScreenError& error) {
   std::string ulps;
   for (const std::size_t c : {0u, 1u}) {
     const auto ulp = ulp_in(s.picture.format, error.exact[c]);
-    const double off = std::abs(CGAL::to_double(Rational(error.answer[c] - error.exact[c])));
+    const double off = std::abs(nearest_double(Rational(error.answer[c] - error.exact[c])));
     if (!ulp || off > kMostUlps * *ulp) return px;
     ulps += fmt::format(", {} {} ulp", "xy"[c], short_number(off / *ulp, 3));
   }

@@ -115,7 +115,7 @@ void draw_table(CaseSketch& s, Spot corner) {
     for (std::size_t c = 0; c < 4; ++c) {
       const bool computed = c == 3 && view;
       write(c, y,
-            computed ? short_number(CGAL::to_double(s.geometry.input_clip[i][3]))
+            computed ? short_number(nearest_double(s.geometry.input_clip[i][3]))
                      : full_number(given[c]),
             kTableText);
     }

@@ -95,15 +95,13 @@ N squared_distance_to_polygon(const Lifted<N>& p, const std::vector<Lifted<N>>& 
 // The number type that distances between an answer and the truth are computed in: double-double
 // where that is much finer than the answer's scalar, exact rationals for wider scalars.
 
-// The value in N: exactly, or with an error of some 2^-104.
+// The value in N: exactly, or rounded to nearest with an error of some 2^-106.
 template <class N>
 N distance_number(const Exact& x) {
   if constexpr (std::same_as<N, Exact>) {
     return x;
   } else {
-    const double high = CGAL::to_double(x);
-    const Exact rest = x - Exact(high);
-    return dd_real(high) + dd_real(CGAL::to_double(rest));
+    return nearest_double_double(x);
   }
 }
 

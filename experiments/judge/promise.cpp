@@ -194,7 +194,7 @@ template <class N>
 void judge_coverage(const reference::Truth& truth, const PromiseChecker::Setting& s,
                     const Case<N>& c, PromiseCheck& check) {
   const double attribute_tolerance =
-      c.attribute_scale == Exact(0) ? 0 : c.tolerance / CGAL::to_double(c.attribute_scale);
+      c.attribute_scale == Exact(0) ? 0 : c.tolerance / nearest_double(c.attribute_scale);
   const ExactPolygon deep =
       reference::clip(truth.inset(c.tolerance, attribute_tolerance), s.vertices, s.attribute_count);
   if (deep.vertices.size() < s.vertices.size()) return;
@@ -225,7 +225,7 @@ Corners corners_of(const reference::Truth& truth, InputVertices vertices) {
   for (const InputVertex& v : vertices) {
     const auto& exact = corners.exact.emplace_back(truth.clip_position(v));
     std::ranges::transform(exact, corners.rounded.emplace_back().begin(),
-                           [](const Exact& x) { return CGAL::to_double(x); });
+                           [](const Exact& x) { return nearest_double(x); });
     corners.divisible = corners.divisible && exact[3] != Exact(0);
   }
   return corners;

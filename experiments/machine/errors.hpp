@@ -13,7 +13,8 @@ enum ExitCode {
   kExitMoved = 1,          // `diff` found a figure that moved
   kExitUsage = 2,          // an option or a name is wrong
   kExitInput = 3,          // a file or a line of input is wrong
-  kExitOutput = 4          // results can't be written
+  kExitOutput = 4,         // results can't be written
+  kExitNothingJudged = 5   // a check found nothing that it could judge
 };
 
 // Bad input: the message names the file and the place in it, what was found and what was expected.

@@ -32,7 +32,7 @@ Rational power_of_ten(int n) {
 
 // floor(log10(value)) for value > 0.
 int decimal_exponent(const Rational& value) {
-  int exponent = static_cast<int>(std::floor(std::log10(CGAL::to_double(value))));
+  int exponent = static_cast<int>(std::floor(std::log10(reference::round_to<double>(value))));
   while (value < power_of_ten(exponent)) --exponent;
   while (power_of_ten(exponent + 1) <= value) ++exponent;
   return exponent;
@@ -47,7 +47,7 @@ Decimal to_decimal(const Rational& value, int digits) {
   decimal.exponent = decimal_exponent(rest);
   rest = rest / power_of_ten(decimal.exponent);
   for (int i = 0; i < digits; ++i) {
-    int digit = static_cast<int>(CGAL::to_double(rest));
+    int digit = static_cast<int>(reference::round_to<double>(rest));
     if (rest < Rational(digit)) --digit;
     decimal.digits += static_cast<char>('0' + digit);
     rest = (rest - Rational(digit)) * Rational(10);

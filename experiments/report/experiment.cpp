@@ -2,12 +2,26 @@
 #include "experiments/report/experiment.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <utility>
 
 #include "experiments/store/run_recorder.hpp"
+#include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments {
 
-constexpr std::size_t kPrintedRows = 32;  // the files have them all
+namespace {
+
+constexpr std::size_t kPrintedRows = 32;   // the files have them all
+constexpr std::size_t kPrintedFiles = 12;  // the page shows them all
+constexpr std::size_t kTextWidth = 100;    // terminal columns
+
+void print_lines(const std::string& text) {
+  for (const std::string& line : wrapped(text, kTextWidth - 2)) fmt::print("  {}\n", line);
+}
+
+}  // namespace
 
 ExperimentContext::ExperimentContext(Selection selection, std::filesystem::path out,
                                      std::shared_ptr<RunRecorder> recorder)
@@ -25,11 +39,10 @@ void ExperimentContext::emit(const Table& table) const {
   table.write(out_);
   if (selection_.json) {
     fmt::print("{}\n", table.to_json().dump());
-  } else {
+  } else if (selection_.tables) {
     fmt::print("{}\n", table.to_text(kPrintedRows));
-    emit_file(out_ / (table.name() + ".{md,csv,tex}"));
-    fmt::print("\n");
   }
+  emit_file(out_ / (table.name() + ".{md,csv,tex}"));
   std::fflush(stdout);
 }
 
@@ -41,7 +54,7 @@ void ExperimentContext::emit(const Plot& plot) const {
 
 void ExperimentContext::finding(const std::string& sentence) const {
   recorder_->set_finding(sentence);
-  if (!selection_.json) fmt::print("Finding: {}\n\n", sentence);
+  if (!selection_.json) print_lines(sentence);
 }
 
 std::optional<Table> ExperimentContext::emitted(const std::string& table_name) const {
@@ -49,7 +62,17 @@ std::optional<Table> ExperimentContext::emitted(const std::string& table_name) c
 }
 
 void ExperimentContext::emit_file(const std::filesystem::path& path) const {
-  if (!selection_.json) fmt::print("  written: {}\n", path.string());
+  written_.push_back(path.lexically_proximate(out_).string());
+}
+
+void ExperimentContext::tell_files() const {
+  std::vector<std::string> names = std::exchange(written_, {});
+  if (selection_.json || names.empty()) return;
+  const std::size_t more = names.size() > kPrintedFiles ? names.size() - kPrintedFiles : 0;
+  names.resize(names.size() - more);
+  print_lines(fmt::format("in {}: {}{}", out_.string(), fmt::join(names, ", "),
+                          more > 0 ? fmt::format(" and {} more", more) : ""));
+  std::fflush(stdout);
 }
 
 }  // namespace clipscope::experiments

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "experiments/report/plot.hpp"
 #include "experiments/selection/select.hpp"
@@ -41,10 +42,10 @@ class ExperimentContext {
   void piece(const std::string& name, std::initializer_list<Table*> tables,
              const std::function<void(PieceRecord&)>& work) const;
 
-  // Writes the table's files at once and prints it (as one line of JSON if that was asked for).
+  // Writes the table's files at once and prints it where that was asked for (Selection::tables, or
+  // as one line of JSON).
   void emit(const Table& table) const;
-  // Draws the plot and says on standard output that its files were written. Made anew from tables
-  // by a resumed run, so it belongs after the pieces.
+  // Draws the plot. Made anew from tables by a resumed run, so it belongs after the pieces.
   void emit(const Plot& plot) const;
   // Several of either, one after the other.
   template <class First, class Second, class... Rest>
@@ -52,8 +53,10 @@ class ExperimentContext {
     emit(first);
     emit(second, rest...);
   }
-  // Says on standard output that a file was written.
+  // Notes that a file was written: NAME.EXT, or NAME.{EXT,EXT} for several.
   void emit_file(const std::filesystem::path& path) const;
+  // Says on standard output which files were written since this was last called.
+  void tell_files() const;
   // One or two sentences that answer the experiment's question, with the figures that decide it.
   void finding(const std::string& sentence) const;
 
@@ -64,6 +67,7 @@ class ExperimentContext {
   Selection selection_;
   std::filesystem::path out_;
   std::shared_ptr<RunRecorder> recorder_;
+  mutable std::vector<std::string> written_;  // names in out_ that were not told yet
 };
 
 // Each folder of a question defines one in its namespace, as

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A glTF 2.0 file in pieces: its JSON, whose parts are asked for by name, and the bytes of all its
+// A glTF 2.0 file in pieces: its JSON, whose parts are asked for by name, and the bytes of its
 // buffers.
 //
 // Source: Khronos Group, "glTF 2.0 Specification", 2021 (ISO/IEC 12113:2022).
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -23,9 +24,9 @@ class GltfValue;
 struct Gltf {
   std::string name;  // in messages
   nlohmann::json root;
-  // Where each buffer begins within `bytes`; one more for the end.
-  std::vector<std::size_t> buffer_start = {};
-  std::string bytes = {};  // all buffers end to end
+  // Each as long as it announces: parts of the file itself, or of what was loaded beside it.
+  std::vector<std::string_view> buffers = {};
+  std::deque<std::string> loaded = {};
 
   // A member at the top of the document.
   GltfValue operator[](const char* member) const;
@@ -79,7 +80,8 @@ class GltfValue {
 };
 
 // Takes a .gltf or .glb file apart and loads its buffers: those of the file itself, those given as
-// data URIs, and those in files next to it.
+// data URIs, and those in files next to it. The content must outlive the pieces, and these stay
+// where they are.
 // Errors: InputError where a part is missing, truncated or shorter than announced.
 Gltf read_gltf(const std::string& name, std::string_view content);
 

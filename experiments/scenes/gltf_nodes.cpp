@@ -10,13 +10,9 @@ using Children = std::vector<std::vector<std::size_t>>;  // of each node
 
 glm::dmat4 rotation_of(const GltfValue& rotation) {
   const std::vector<double> q = rotation.numbers(4);
-  const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
-  if (!(length > 0)) rotation.fail("has length 0; a quaternion of length 1 expected");
-  const double x = q[0] / length, y = q[1] / length, z = q[2] / length, w = q[3] / length;
-  return {{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y), 0},
-          {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x), 0},
-          {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y), 0},
-          {0, 0, 0, 1}};
+  const glm::dvec4 quaternion(q[0], q[1], q[2], q[3]);
+  if (quaternion == glm::dvec4(0)) rotation.fail("has length 0; a quaternion of length 1 expected");
+  return rotation_matrix(quaternion);
 }
 
 // The matrix, or else translation * rotation * scale; the identity where the node has none.
@@ -74,6 +70,15 @@ std::vector<std::size_t> roots_of(const Gltf& gltf, const Children& children) {
 }
 
 }  // namespace
+
+glm::dmat4 rotation_matrix(const glm::dvec4& q) {
+  const double length = std::hypot(std::hypot(q.x, q.y), std::hypot(q.z, q.w));
+  const double x = q.x / length, y = q.y / length, z = q.z / length, w = q.w / length;
+  return {{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y), 0},
+          {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x), 0},
+          {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y), 0},
+          {0, 0, 0, 1}};
+}
 
 std::vector<GltfNode> shown_nodes(const Gltf& gltf) {
   const GltfValue nodes = gltf["nodes"];

@@ -8,11 +8,15 @@
 
 #include <cstddef>
 #include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "experiments/scenes/gltf.hpp"
 
 namespace clipscope::experiments {
+
+// The rotation by a quaternion x, y, z, w. Pre-condition: it is not 0.
+glm::dmat4 rotation_matrix(const glm::dvec4& quaternion);
 
 struct GltfNode {
   std::size_t index;  // into the file's nodes

@@ -127,7 +127,7 @@ Chunks chunks_of(const std::string& name, std::string_view content) {
 nlohmann::json parse_json(const std::string& name, std::string_view text) {
   nlohmann::json root;
   try {
-    root = nlohmann::json::parse(text);
+    root = nlohmann::json::parse(without_mark(name, text));
   } catch (const nlohmann::json::parse_error& error) {
     refuse(name, "the JSON is broken at its byte {}: a value, name or bracket is wrong or missing",
            error.byte);
@@ -172,49 +172,50 @@ std::string decode_percent(std::string_view uri) {
   return text;
 }
 
-// Appends a buffer to the bytes, all of what it announces and no more.
-void append_buffer(Gltf& gltf, const GltfValue& buffer, bool is_first,
-                   const std::filesystem::path& folder,
-                   const std::optional<std::string_view>& binary) {
-  const GltfValue byte_length = buffer["byteLength"], uri = buffer["uri"];
-  const std::size_t length = byte_length.number();
-  const auto append = [&](std::string_view bytes, const std::string& source) {
-    if (bytes.size() < length) {
-      byte_length.fail("is {}, but {} has only {} bytes", length, source, bytes.size());
-    }
-    gltf.bytes.append(bytes.substr(0, length));
-  };
+// The bytes that a buffer is taken from, and what to call them in messages.
+struct BufferSource {
+  std::string_view bytes;
+  std::string name;
+};
+
+BufferSource data_uri(Gltf& gltf, const GltfValue& uri, std::string_view text) {
+  constexpr std::string_view kMark = ";base64,";
+  const std::size_t mark = text.find(kMark);
+  auto bytes = mark == std::string_view::npos ? std::nullopt
+                                              : decode_base64(text.substr(mark + kMark.size()));
+  if (!bytes) uri.fail("is no base64 data URI");
+  return {gltf.loaded.emplace_back(*std::move(bytes)), "the data URI"};
+}
+
+BufferSource source_of(Gltf& gltf, const GltfValue& uri, bool is_first,
+                       const std::optional<std::string_view>& binary) {
   if (!uri) {
     if (!is_first || !binary) uri.fail("is missing, and there is no binary chunk for it");
-    return append(*binary, "the binary chunk");
+    return {*binary, "the binary chunk"};
   }
   if (!uri->is_string()) uri.fail("is no text");
   const std::string& text = uri->get_ref<const std::string&>();
-  if (!text.starts_with("data:")) {
-    const std::filesystem::path file = folder / decode_percent(text);
-    return append(read_bytes(file), fmt::format("'{}'", file.string()));
-  }
-  constexpr std::string_view kMark = ";base64,";
-  const std::size_t mark = text.find(kMark);
-  const auto bytes = mark == std::string::npos
-                         ? std::nullopt
-                         : decode_base64(std::string_view(text).substr(mark + kMark.size()));
-  if (!bytes) uri.fail("is no base64 data URI");
-  append(*bytes, "the data URI");
+  if (text.starts_with("data:")) return data_uri(gltf, uri, text);
+  const std::filesystem::path folder = std::filesystem::path(gltf.name).parent_path();
+  const std::filesystem::path file = folder / decode_percent(text);
+  return {gltf.loaded.emplace_back(read_bytes(file)), fmt::format("'{}'", file.string())};
 }
 
 }  // namespace
 
 Gltf read_gltf(const std::string& name, std::string_view content) {
-  const std::filesystem::path folder = std::filesystem::path(name).parent_path();
   const auto [json, binary] = chunks_of(name, content);
   Gltf gltf{name, parse_json(name, json)};
   const GltfValue buffers = gltf["buffers"];
   for (std::size_t i = 0; i < buffers.size(); ++i) {
-    gltf.buffer_start.push_back(gltf.bytes.size());
-    append_buffer(gltf, buffers.object_at(i), i == 0, folder, binary);
+    const GltfValue buffer = buffers.object_at(i), byte_length = buffer["byteLength"];
+    const std::size_t length = byte_length.number();
+    const auto [bytes, source] = source_of(gltf, buffer["uri"], i == 0, binary);
+    if (bytes.size() < length) {
+      byte_length.fail("is {}, but {} has only {} bytes", length, source, bytes.size());
+    }
+    gltf.buffers.push_back(bytes.substr(0, length));
   }
-  gltf.buffer_start.push_back(gltf.bytes.size());
   return gltf;
 }
 

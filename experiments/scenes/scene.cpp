@@ -10,6 +10,7 @@
 #include <span>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/machine/warning.hpp"
 #include "experiments/scenes/builtin.hpp"
 #include "experiments/scenes/camera.hpp"
 #include "experiments/scenes/gltf_camera.hpp"
@@ -123,6 +124,7 @@ Scene load_scene(std::string_view name_or_file, const SceneOptions& options,
   Scene scene;
   scene.name = path.filename().string();
   scene.mesh = load_mesh(path);
+  std::ranges::for_each(scene.mesh.remarks, warn);
   scene.description = fmt::format("{} triangles of {}", scene.mesh.triangles.size(), path.string());
   if (!camera.gltf_camera) {
     scene.views = make_views(scene.mesh, camera);

@@ -30,13 +30,23 @@ inline constexpr int kSceneAttributes = 4;
 using SceneTriangle = ViewTriangle<float, kSceneAttributes>;
 
 struct Mesh {
-  std::vector<std::array<float, 3>> positions;                  // world space
+  std::vector<std::array<float, 3>> positions;  // world space
+  // The same in double, where a file has one that no float holds; else empty.
+  std::vector<std::array<double, 3>> double_positions = {};
   std::vector<std::array<float, kSceneAttributes>> attributes;  // one per position
   std::vector<std::array<std::uint32_t, 3>> triangles;          // indices into positions
+  std::vector<std::string> remarks = {};  // what people should know of the file it was read from
 };
 
 inline glm::dvec3 point_of(const Mesh& mesh, std::size_t vertex) {
   const auto& [x, y, z] = mesh.positions[vertex];
+  return {x, y, z};
+}
+
+// The position as the file has it, before it was rounded to float.
+inline glm::dvec3 point_in_double(const Mesh& mesh, std::size_t vertex) {
+  if (mesh.double_positions.empty()) return point_of(mesh, vertex);
+  const auto& [x, y, z] = mesh.double_positions[vertex];
   return {x, y, z};
 }
 

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace clipscope::experiments {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\v\f";
+// Halfway between the largest float and what would be the next: what is below is rounded down.
+constexpr double kTooLarge = 0x1.ffffffp127;
 
 // The number that is all of the word, and what was wrong with it.
 template <class T>
@@ -21,45 +23,88 @@ std::pair<T, std::errc> parse(std::string_view word) {
   return {value, is_all ? error : std::errc::invalid_argument};
 }
 
+// How other encodings begin, with their marks or with the first characters of ASCII text: '0'
+// stands for a zero byte, 'x' for any other.
+struct Encoding {
+  const char* name;
+  std::string_view mark, zeros;
+};
+// The longer ones come first, since a UTF-32 mark begins as one of UTF-16 does.
+constexpr Encoding kEncodings[] = {{"UTF-32 (little-endian)", {"\xFF\xFE\0\0", 4}, "x000"},
+                                   {"UTF-32 (big-endian)", {"\0\0\xFE\xFF", 4}, "000x"},
+                                   {"UTF-16 (little-endian)", "\xFF\xFE", "x0x0"},
+                                   {"UTF-16 (big-endian)", "\xFE\xFF", "0x0x"}};
+
+bool has_zeros(std::string_view text, std::string_view pattern) {
+  const auto fits = [](char c, char wanted) { return (c == '\0') == (wanted == '0'); };
+  return text.size() >= pattern.size() &&
+         std::ranges::equal(text.substr(0, pattern.size()), pattern, fits);
+}
+
 }  // namespace
 
-// Adds the words of the next line; the text must not be at its end.
-void TextFile::append_line() {
-  const std::size_t end = rest_.find('\n');
-  std::string_view line = rest_.substr(0, end);
-  rest_ = end == std::string_view::npos ? std::string_view{} : rest_.substr(end + 1);
-  ++lines_read_;
-  while (true) {
-    const std::size_t start = line.find_first_not_of(kBlanks);
-    if (start == std::string_view::npos) return;
-    line.remove_prefix(start);
-    words_.push_back(line.substr(0, line.find_first_of(kBlanks)));
-    line.remove_prefix(words_.back().size());
+std::string_view without_mark(const std::string& name, std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  for (const auto& [encoding, mark, zeros] : kEncodings) {
+    if (text.starts_with(mark) || has_zeros(text, zeros)) {
+      refuse(name, "the text is {}; UTF-8 or ASCII expected", encoding);
+    }
   }
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
 }
 
-// Whether the words read so far end in that character, comments ('# ...') apart.
-bool TextFile::ends_in(char continuation) const {
-  const auto is_comment = [](std::string_view word) { return word[0] == '#'; };
-  return !words_.empty() && words_.back().back() == continuation &&
-         std::ranges::none_of(words_, is_comment);
+TextFile::TextFile(const std::string& name, std::string_view text, TextForm form)
+    : name_(name), rest_(without_mark(name, text)), continuation_(form.continuation) {
+  const auto set = [this](char c, Kind kind) { kinds_[static_cast<unsigned char>(c)] = kind; };
+  for (const char blank : {' ', '\t', '\v', '\f'}) set(blank, Kind::blank);
+  for (const char end : {'\n', '\r'}) set(end, Kind::line_end);
+  if (form.separator != '\0') set(form.separator, Kind::blank);
+  if (form.comment != '\0') set(form.comment, Kind::comment);
+  const std::size_t first_end = rest_.find_first_of("\r\n");
+  ends_in_cr_ =
+      first_end != rest_.npos && rest_[first_end] == '\r' && rest_.substr(first_end + 1, 1) != "\n";
 }
 
-bool TextFile::next_line(char continuation) {
+// Adds the words of the next line, which must be there, and says whether it goes on in another.
+bool TextFile::append_line() {
+  const char *c = rest_.data(), *const end = c + rest_.size();
+  const std::size_t before = words_.size();
+  while (true) {
+    c = std::find_if(c, end, [this](char x) { return kind_of(x) != Kind::blank; });
+    const char* const start = c;
+    c = std::find_if(c, end, [this](char x) { return kind_of(x) != Kind::word; });
+    if (c == start) break;
+    words_.emplace_back(start, static_cast<std::size_t>(c - start));
+  }
+  const bool has_comment = c != end && kind_of(*c) == Kind::comment;
+  c = std::find_if(c, end, [this](char x) { return kind_of(x) == Kind::line_end; });
+  rest_.remove_prefix(static_cast<std::size_t>(c - rest_.data()));
+  skip_line_end();
+  ++lines_read_;
+  const bool goes_on = continuation_ != '\0' && !has_comment && words_.size() > before &&
+                       words_.back().back() == continuation_ && !rest_.empty();
+  if (!goes_on) return false;
+  words_.back().remove_suffix(1);
+  if (words_.back().empty()) words_.pop_back();
+  return true;
+}
+
+void TextFile::skip_line_end() {
+  const bool is_pair = !ends_in_cr_ && rest_.starts_with("\r\n");
+  rest_.remove_prefix(std::min<std::size_t>(rest_.size(), is_pair ? 2 : 1));
+}
+
+bool TextFile::next_line() {
   words_.clear();
   if (rest_.empty()) return false;
-  append_line();
-  line_ = lines_read_;
-  while (ends_in(continuation) && !rest_.empty()) {
-    words_.back().remove_suffix(1);
-    if (words_.back().empty()) words_.pop_back();
-    append_line();
+  line_ = lines_read_ + 1;
+  while (append_line()) {
   }
   return true;
 }
 
-bool TextFile::next_words(char continuation) {
-  while (next_line(continuation)) {
+bool TextFile::next_words() {
+  while (next_line()) {
     if (!words_.empty()) return true;
   }
   return false;
@@ -69,15 +114,10 @@ void TextFile::require_words(std::size_t n, const char* pattern) const {
   if (words_.size() != n) fail("'{}' expected", pattern);
 }
 
-void TextFile::require_numbers(std::size_t first, std::string_view names, const char* what) const {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (first + i >= words_.size()) fail("{} has {} of {} numbers", what, i, names.size());
-    const std::string_view word = words_[first + i];
-    const std::optional<double> number = to_number(word);
-    if (!number) fail("{} of {} is '{}'; a number was expected", names[i], what, word);
-    require_finite(*number,
-                   [&] { return fmt::format("{}:{}: {} of {}", name_, line_, names[i], what); });
-  }
+double TextFile::number(std::size_t i, char name, const char* what) const {
+  const std::optional<double> number = to_number(words_[i]);
+  if (!number) fail("{} of {} is '{}'; a number was expected", name, what, words_[i]);
+  return *number;
 }
 
 long long TextFile::require_integer(std::string_view word, const char* what) const {
@@ -97,21 +137,38 @@ std::optional<double> to_number(std::string_view word) {
   const std::size_t exponent = word.find_first_of("eE");
   const bool tiny =
       exponent != std::string_view::npos && word.substr(exponent + 1).starts_with('-');
-  return tiny ? 0.0 : std::numeric_limits<double>::infinity();
+  const double magnitude = tiny ? 0.0 : std::numeric_limits<double>::infinity();
+  return word.starts_with('-') ? -magnitude : magnitude;
 }
 
-// A number that is too small even for a subnormal leaves 0.
-float to_float(std::string_view word) { return parse<float>(word).first; }
+// Rounding to double and then to float gives the nearest float, unless the double lies halfway
+// between two floats, to which its 24-bit neighbours are equally near: then the bits below the
+// float's are 1 and 28 zeros, or the number is smaller than normal floats are. The text decides
+// those.
+float to_float(std::string_view word, double nearest_double) {
+  constexpr std::uint64_t kBelowHalf = (std::uint64_t{1} << 28) - 1;
+  const bool may_be_halfway = (std::bit_cast<std::uint64_t>(nearest_double) & kBelowHalf) == 0 ||
+                              std::abs(nearest_double) < double{std::numeric_limits<float>::min()};
+  const float rounded = nearest_float(nearest_double);
+  if (!may_be_halfway || double{rounded} == nearest_double) return rounded;
+  const auto [value, error] = parse<float>(word);
+  return error == std::errc{} ? value : rounded;
+}
 
 std::optional<long long> to_integer(std::string_view word) {
   const auto [value, error] = parse<long long>(word);
   return error == std::errc{} ? std::optional(value) : std::nullopt;
 }
 
+float nearest_float(double x) {
+  if (std::abs(x) < kTooLarge || std::isnan(x)) return static_cast<float>(x);
+  return std::copysign(std::numeric_limits<float>::infinity(), static_cast<float>(x > 0 ? 1 : -1));
+}
+
 std::string defect_of(double coordinate) {
   if (std::isnan(coordinate)) return "NaN";
   if (std::isinf(coordinate)) return "infinite";
-  const bool is_float = std::abs(coordinate) <= double{std::numeric_limits<float>::max()};
+  const bool is_float = std::abs(coordinate) < kTooLarge;
   return is_float ? "" : fmt::format("{}, too large for a float", coordinate);
 }
 

@@ -52,6 +52,7 @@ struct Selection {
   std::size_t sample = 0;  // triangles per view; 0: the command's default
   bool quick = false;
   bool json = false;
+  bool tables = false;    // run: print every table
   bool pictures = false;  // also those of single cases that fail
 
   // What was asked for, or what an experiment takes without.

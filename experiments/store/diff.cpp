@@ -100,11 +100,10 @@ std::vector<std::pair<std::string, const Row*>> rows_by_key(const Table& table,
 // Whether the first of the columns is a figure whose interval is in the next two.
 bool has_interval(const Table& a, std::span<const Shared> columns) {
   if (columns.size() < 3) return false;
-  const auto key = [&](std::size_t n) { return a.columns()[columns[n].a].key; };
-  const std::string low = key(1);
-  if (!low.ends_with("_low")) return false;
-  const std::string stem = low.substr(0, low.size() - 4);
-  return !stem.empty() && key(2) == stem + "_high" && key(0).starts_with(stem);
+  const auto key = [&](std::size_t n) -> const std::string& {
+    return a.columns()[columns[n].a].key;
+  };
+  return is_interval(key(0), key(1), key(2));
 }
 
 // Nothing if an end of the interval is no number.

@@ -64,11 +64,27 @@ struct AccuracyFigures {
         ulp(spread_of(tally.position_ulp)),
         attribute(spread_of(tally.attribute)) {}
 
-  static constexpr auto columns() {
-    return std::tuple(columns_of_array(&AccuracyFigures::outcomes, kViewOutcomeNames),
-                      spread("px", "px", &AccuracyFigures::px),
-                      spread("ulp", "ulp", &AccuracyFigures::ulp),
+  // Triangles that look wrong, see is_failure.
+  std::int64_t wrong() const {
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      if (is_failure(static_cast<Outcome>(i))) sum += outcomes[i];
+    }
+    return sum;
+  }
+
+  static constexpr auto outcome_columns() {
+    return std::tuple(columns_of_array(&AccuracyFigures::outcomes, kViewOutcomeNames));
+  }
+  static constexpr auto px_columns() {
+    return std::tuple(spread("px", "px", &AccuracyFigures::px));
+  }
+  static constexpr auto other_columns() {
+    return std::tuple(spread("ulp", "ulp", &AccuracyFigures::ulp),
                       spread("attribute", "attr", &AccuracyFigures::attribute));
+  }
+  static constexpr auto columns() {
+    return std::tuple_cat(outcome_columns(), px_columns(), other_columns());
   }
 };
 

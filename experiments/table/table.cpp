@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <sstream>
 
 #include "experiments/machine/files.hpp"
 #include "experiments/table/utf8.hpp"
@@ -15,46 +14,10 @@
 namespace clipscope::experiments {
 namespace {
 
-constexpr std::size_t kTextWidth = 100;  // terminal columns
-constexpr std::size_t kGap = 2;
-
 // The value to the last digit, quoted where CSV asks for it (RFC 4180).
 std::string csv_cell(const Cell& cell) {
   std::string text = full_text(cell);
   return text.find_first_of(",\"\n") == std::string::npos ? text : double_quoted(text);
-}
-
-std::string pad(const std::string& text, std::size_t width, bool left) {
-  const std::size_t used = character_count(text);
-  const std::string blanks(width > used ? width - used : 0, ' ');
-  return left ? text + blanks : blanks + text;
-}
-
-std::string right_trimmed(std::string line) {
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line;
-}
-
-// A note, indented by two.
-std::string indented(const std::string& note) {
-  std::string text;
-  for (const std::string& line : wrapped(note, kTextWidth - 2)) text += "  " + line + "\n";
-  return text;
-}
-
-// Rows whose long cells go on in further rows, empty elsewhere.
-std::vector<std::vector<std::string>> broken_into_lines(
-    const std::vector<std::vector<std::string>>& rows, const std::vector<Column>& columns) {
-  std::vector<std::vector<std::string>> result;
-  for (const std::vector<std::string>& row : rows) {
-    const std::size_t first = result.size();
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const std::vector<std::string> lines = wrapped(row[c], columns[c].wrap);
-      while (result.size() < first + lines.size()) result.emplace_back(row.size());
-      for (std::size_t i = 0; i < lines.size(); ++i) result[first + i][c] = lines[i];
-    }
-  }
-  return result;
 }
 
 nlohmann::json json_cell(const Cell& cell) {
@@ -88,6 +51,14 @@ std::string full_text(const Cell& cell) {
   if (std::holds_alternative<std::monostate>(cell)) return "";
   const auto* number = std::get_if<double>(&cell);
   return number != nullptr ? fmt::format("{}", *number) : format_cell(cell);
+}
+
+bool is_interval(std::string_view figure, std::string_view low, std::string_view high) {
+  constexpr std::string_view kLow = "_low", kHigh = "_high";
+  if (!low.ends_with(kLow) || !high.ends_with(kHigh)) return false;
+  const std::string_view stem = low.substr(0, low.size() - kLow.size());
+  return !stem.empty() && high.substr(0, high.size() - kHigh.size()) == stem &&
+         figure.starts_with(stem);
 }
 
 std::optional<double> number_of(const Cell& cell) {
@@ -155,63 +126,6 @@ bool Table::is_text(std::size_t column) const {
   return std::any_of(rows_.begin(), rows_.end(), [&](const std::vector<Cell>& row) {
     return std::holds_alternative<std::string>(row[column]);
   });
-}
-
-std::vector<std::size_t> Table::widths(const std::vector<std::vector<std::string>>& cells) const {
-  std::vector<std::size_t> widths;
-  for (std::size_t c = 0; c < columns_.size(); ++c) {
-    std::size_t width = character_count(columns_[c].head);
-    for (const auto& row : cells) width = std::max(width, character_count(row[c]));
-    widths.push_back(width);
-  }
-  return widths;
-}
-
-// Columns in blocks that fit kTextWidth, each beginning with the leading text columns.
-std::vector<std::vector<std::size_t>> Table::blocks(const std::vector<std::size_t>& widths) const {
-  std::vector<std::size_t> keys;
-  std::size_t key_width = 0;
-  while (keys.size() < columns_.size() && is_text(keys.size())) {
-    key_width += widths[keys.size()] + kGap;
-    keys.push_back(keys.size());
-  }
-  std::vector<std::vector<std::size_t>> blocks;
-  std::size_t used = 0;
-  for (std::size_t c = keys.size(); c < columns_.size(); ++c) {
-    if (blocks.empty() || used + widths[c] + kGap > kTextWidth + kGap) {
-      blocks.push_back(keys);
-      used = key_width;
-    }
-    blocks.back().push_back(c);
-    used += widths[c] + kGap;
-  }
-  if (blocks.empty()) blocks.push_back(keys);
-  return blocks;
-}
-
-std::string Table::to_text(std::size_t most) const {
-  auto cells = formatted();
-  const std::size_t hidden = cells.size() > most ? cells.size() - most : 0;
-  cells.resize(cells.size() - hidden);
-  cells = broken_into_lines(cells, columns_);
-  const std::vector<std::size_t> width = widths(cells);
-  std::string text = title_ + "\n";
-  for (const std::vector<std::size_t>& block : blocks(width)) {
-    const auto line = [&](const auto& text_of) {
-      std::string result;
-      for (const std::size_t c : block) {
-        result +=
-            std::string(result.empty() ? 0 : kGap, ' ') + pad(text_of(c), width[c], is_text(c));
-      }
-      return right_trimmed(result) + "\n";
-    };
-    text += "\n" + line([&](std::size_t c) { return columns_[c].head; });
-    text += line([&](std::size_t c) { return std::string(width[c], '-'); });
-    for (const auto& row : cells) text += line([&](std::size_t c) { return row[c]; });
-  }
-  if (hidden > 0) text += fmt::format("... and {} more rows in {}.md\n", hidden, name_);
-  for (const std::string& note : notes_) text += indented(note);
-  return text;
 }
 
 std::string Table::to_markdown() const {

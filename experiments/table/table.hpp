@@ -51,8 +51,10 @@ class Table {
   const std::vector<std::string>& notes() const { return notes_; }
 
   // At most 100 columns wide: what does not fit goes into a further block beneath, which repeats
-  // the leading text columns.
-  // Shows the first `most` rows, and says how many more there are.
+  // the keys, the fewest leading text columns that tell all rows apart. Columns that say nothing
+  // are left out and named in a note: 0 or nothing in every row, or a key that is the same in all
+  // of several rows. A figure and its interval (is_interval) share a column. Shows the first `most`
+  // rows, and says how many more there are.
   std::string to_text(std::size_t most = SIZE_MAX) const;
   std::string to_markdown() const;
   std::string to_csv() const;
@@ -65,8 +67,6 @@ class Table {
 
  private:
   std::vector<std::vector<std::string>> formatted() const;  // every cell as people read it
-  std::vector<std::size_t> widths(const std::vector<std::vector<std::string>>& cells) const;
-  std::vector<std::vector<std::size_t>> blocks(const std::vector<std::size_t>& widths) const;
   bool is_text(std::size_t column) const;
 
   std::string name_, title_;
@@ -77,6 +77,10 @@ class Table {
 
 // The place of a column by its key. Throws MissingFigure if the table has no such column.
 std::size_t place_of(const Table& table, std::string_view key);
+
+// Whether columns of these keys, one behind the other, are a figure and the ends of its interval:
+// low is S_low, high is S_high, and the figure's key begins with S.
+bool is_interval(std::string_view figure, std::string_view low, std::string_view high);
 
 // Three significant digits, plain where that is short, else with a power of ten: 0.125, 13.4,
 // 2.1e-07.

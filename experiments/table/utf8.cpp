@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/table/utf8.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -23,6 +25,38 @@ std::size_t sequence_length(std::string_view text) {
   return overlong || beyond ? 0 : length;
 }
 
+// The code point of a well-formed sequence.
+char32_t code_point(std::string_view sequence) {
+  if (sequence.size() == 1) return static_cast<unsigned char>(sequence[0]);
+  char32_t code = static_cast<unsigned char>(sequence[0]) & (0x7Fu >> sequence.size());
+  for (const char c : sequence.substr(1)) {
+    code = code << 6 | (static_cast<unsigned char>(c) & 0x3Fu);
+  }
+  return code;
+}
+
+// Code points that look like nothing, like a blank or like a character of ASCII.
+struct Lookalikes {
+  char32_t first, last;
+  const char* name;
+};
+constexpr Lookalikes kLookalikes[] = {{0x00, 0x1F, "control character"},
+                                      {0x7F, 0x9F, "control character"},
+                                      {0xA0, 0xA0, "no-break space"},
+                                      {0xAD, 0xAD, "soft hyphen"},
+                                      {0x2000, 0x200A, "wide or narrow space"},
+                                      {0x200B, 0x200B, "zero-width space"},
+                                      {0x200C, 0x200F, "mark without width"},
+                                      {0x2010, 0x2015, "dash"},
+                                      {0x2028, 0x2029, "line separator"},
+                                      {0x202A, 0x202E, "mark without width"},
+                                      {0x202F, 0x202F, "narrow no-break space"},
+                                      {0x205F, 0x205F, "mathematical space"},
+                                      {0x2060, 0x2064, "mark without width"},
+                                      {0x2212, 0x2212, "minus sign"},
+                                      {0x3000, 0x3000, "ideographic space"},
+                                      {0xFEFF, 0xFEFF, "byte order mark"}};
+
 }  // namespace
 
 std::string valid_utf8(std::string_view text, std::string_view replacement) {
@@ -33,6 +67,28 @@ std::string valid_utf8(std::string_view text, std::string_view replacement) {
     text.remove_prefix(length == 0 ? 1 : length);
   }
   return valid;
+}
+
+std::string visible_utf8(std::string_view text) {
+  std::string visible;
+  while (!text.empty()) {
+    const std::size_t length = sequence_length(text);
+    const std::string_view sequence = text.substr(0, std::max<std::size_t>(1, length));
+    text.remove_prefix(sequence.size());
+    if (length == 0) {
+      visible += fmt::format("<0x{:02X}>", static_cast<unsigned char>(sequence[0]));
+      continue;
+    }
+    const char32_t code = code_point(sequence);
+    const auto found = std::ranges::find_if(
+        kLookalikes, [&](const Lookalikes& l) { return l.first <= code && code <= l.last; });
+    if (found == std::end(kLookalikes)) {
+      visible += sequence;
+    } else {
+      visible += fmt::format("<U+{:04X} {}>", static_cast<unsigned>(code), found->name);
+    }
+  }
+  return visible;
 }
 
 std::size_t character_count(std::string_view text) {

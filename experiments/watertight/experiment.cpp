@@ -33,6 +33,9 @@ Scene make_case(const Selection& selection, const std::string& name) {
       load_selected_scene(selection, name.substr(0, name.size() - kByPlane.size())));
 }
 
+// Whether the case shows no mesh of its own: one that another case shows, or none.
+bool is_derived(const std::string& name) { return name == kGrazing || name.ends_with(kByPlane); }
+
 Options options_of(const Selection& selection, const std::string& name) {
   // Grazing is one view, made for this.
   return {.edges_per_view = name == kGrazing ? 0 : selection.sample_or(150, 1500),
@@ -56,6 +59,7 @@ void draw_widest(const ExperimentContext& context, const std::vector<WorstRow>& 
 void run(const ExperimentContext& context) {
   const Selection& selection = context.selection();
   const Contestants contestants = selected_contestants(selection);
+  TableOf<MeshRow> meshes;
   TableOf<Row> table;
   TableOf<PlaneRow> planes;
   TableOf<WorstRow> worst;
@@ -63,8 +67,11 @@ void run(const ExperimentContext& context) {
   const std::vector<std::string> names = cases(selection);
   Progress progress("watertight", names.size());
   for (const std::string& name : names) {
-    context.piece(name, {&table, &planes, &worst}, [&](PieceRecord& record) {
+    context.piece(name, {&meshes, &table, &planes, &worst}, [&](PieceRecord& record) {
       const Scene scene = make_case(selection, name);
+      if (!is_derived(name)) {
+        meshes.add({scene.name, std::ssize(scene.mesh.triangles), edges_of(scene.mesh)});
+      }
       for (const Measured& m : measure(scene, contestants, options_of(selection, name))) {
         table.add(m.row);
         for (const auto& [edges, tally] : m.by_class) {
@@ -80,11 +87,11 @@ void run(const ExperimentContext& context) {
   context.piece("widest crack", {},
                 [&](PieceRecord& record) { draw_widest(context, worst.rows(), record); });
   for (const SummaryRow& row : summary_rows(table.rows())) summary.add(row);
-  for (Table* t : std::initializer_list<Table*>{&table, &planes, &worst}) {
+  for (Table* t : std::initializer_list<Table*>{&meshes, &table, &planes, &worst}) {
     t->add_note(fmt::format("Seed {}. {}", selection.seed, machine_description()));
   }
-  context.emit(table, planes, worst, summary, crack_plot(summary.rows()));
-  context.finding(finding(summary.rows()));
+  context.emit(meshes, table, planes, worst, summary, crack_plot(summary.rows()));
+  context.finding(finding(meshes.rows(), summary.rows()));
 }
 
 }  // namespace

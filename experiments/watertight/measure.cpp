@@ -83,6 +83,7 @@ void measure_view(const Contestant& contestant, const View& view, const ViewEdge
 
 Verdict verdict(const Contestant& contestant, const GapTally& tally) {
   if (!contestant.promise.watertight) return Verdict::not_promised;
+  if (tally.lost == tally.edges) return Verdict::no_edge;
   return tally.identical + tally.lost == tally.edges ? Verdict::kept : Verdict::broken;
 }
 

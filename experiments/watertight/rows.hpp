@@ -14,6 +14,7 @@
 
 #include "experiments/contestants/columns.hpp"
 #include "experiments/report/plot.hpp"
+#include "experiments/scenes/mesh_edges.hpp"
 #include "experiments/table/row.hpp"
 
 namespace clipscope::experiments::watertight {
@@ -48,10 +49,38 @@ struct GapTally {
   }
 };
 
-// What became of a clipper's promise to be watertight. The promise speaks of neighbours of which
-// both have something left (see bit_promise.hpp); that one of them is lost is counted apart.
-enum class Verdict { not_promised, kept, broken };
-constexpr std::array<std::string_view, 3> names_of(Verdict) { return {"-", "kept", "broken"}; }
+// What became of a clipper's promise to be watertight, the later the more it decides. The promise
+// speaks of neighbours of which both have something left (see judge/promise.hpp); that one of them
+// is lost is counted apart. no_edge: there was nothing to judge it by.
+enum class Verdict { not_promised, no_edge, kept, broken };
+constexpr std::array<std::string_view, 4> names_of(Verdict) {
+  return {"-", "no edge", "kept", "broken"};
+}
+
+// What a mesh was like before anybody clipped it.
+struct MeshRow {
+  std::string scene;
+  std::int64_t triangles = 0;
+  MeshEdges edges;
+
+  static constexpr std::string_view kName = "watertight_meshes";
+  static constexpr std::string_view kTitle = "The edges of the meshes before any clipping";
+  static constexpr std::array<std::string_view, 1> kNotes = {
+      "Open: beside one triangle. Crowded: beside more than two. T-junctions: ends of open edges that lie within another open edge but for the rounding of coordinates to float, and how far off it, in the mesh's units. Split: open edges beside another one whose ends are the same but for rounding. Repeated: triangles given again. A picture may crack at these however it is clipped; the other tables look at edges that two triangles share to the bit."};
+  static constexpr auto columns() {
+    using R = MeshRow;
+    using E = MeshEdges;
+    return std::tuple(
+        column("scene", &R::scene), column("triangles", &R::triangles),
+        group(&R::edges,
+              std::tuple(column("edges", &E::edges), column("open", &E::open),
+                         column("crowded", &E::crowded),
+                         column("t_junctions", "T-junctions", &E::t_junctions),
+                         column("t_distance", "off the edge", &E::t_distance),
+                         column("split", &E::split),
+                         column("repeated_triangles", "repeated", &E::repeated_triangles))));
+  }
+};
 
 struct Row {
   std::string scene, clipper, scalar;
@@ -161,7 +190,8 @@ std::optional<WorstRow> widest_crack(const std::vector<WorstRow>& worst);
 // The widest crack by clipper in float and double.
 Plot crack_plot(const std::vector<SummaryRow>& summary);
 
-// The answer to the experiment's question.
-std::string finding(const std::vector<SummaryRow>& summary);
+// The answer to the experiment's question: what the meshes were like before, then what clipping
+// did.
+std::string finding(const std::vector<MeshRow>& meshes, const std::vector<SummaryRow>& summary);
 
 }  // namespace clipscope::experiments::watertight

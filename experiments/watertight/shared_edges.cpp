@@ -3,24 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 #include "experiments/judge/match.hpp"
+#include "experiments/scenes/mesh_edges.hpp"
 #include "reference/exact_clip.hpp"
 
 namespace clipscope::experiments::watertight {
 namespace {
-
-// For each position the index of the first one that equals it.
-std::vector<std::uint32_t> welded(const Mesh& mesh) {
-  std::map<std::array<float, 3>, std::uint32_t> known;
-  std::vector<std::uint32_t> first;
-  for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
-    first.push_back(known.try_emplace(mesh.positions[i], i).first->second);
-  }
-  return first;
-}
 
 // The planes that each corner of a triangle is outside of, and those that it lies on.
 struct Corners {
@@ -40,12 +29,6 @@ Corners corners_of(const reference::Truth& truth, const SceneTriangle& triangle)
     }
   }
   return corners;
-}
-
-// The ends of the edge: the two corners that are not opposite to it.
-std::pair<std::size_t, std::size_t> ends_of(int opposite) {
-  const auto k = static_cast<std::size_t>(opposite);
-  return {(k + 1) % 3, (k + 2) % 3};
 }
 
 // Whether the vertices alone leave it possible that clipping touches the edge.
@@ -82,24 +65,14 @@ double width_beside(const std::vector<ScreenPoint>& edge, const reference::Truth
 }  // namespace
 
 std::vector<SharedEdge> shared_edges(const Mesh& mesh) {
-  const std::vector<std::uint32_t> vertex = welded(mesh);
-  // The triangles beside an edge, by its ends, the lower first; each with its opposite corner.
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::pair<std::uint32_t, int>>>
-      sides;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (int opposite = 0; opposite < 3; ++opposite) {
-      const auto [i, j] = ends_of(opposite);
-      const std::uint32_t a = vertex[mesh.triangles[t][i]], b = vertex[mesh.triangles[t][j]];
-      if (a != b) sides[std::minmax(a, b)].emplace_back(t, opposite);
-    }
-  }
   std::vector<SharedEdge> edges;
-  for (const auto& [ends, all] : sides) {
-    const auto& [first, corner] = all.front();
-    for (const auto& [other, other_corner] : all) {
-      if (other != first) edges.push_back({{first, other}, {corner, other_corner}});
+  for_each_edge(half_edges(mesh), [&](std::span<const HalfEdge> sides) {
+    const HalfEdge& first = sides.front();
+    for (const HalfEdge& side : sides) {
+      if (side.triangle == first.triangle) continue;
+      edges.push_back({{first.triangle, side.triangle}, {first.opposite, side.opposite}});
     }
-  }
+  });
   return edges;
 }
 

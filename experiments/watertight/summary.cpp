@@ -40,10 +40,11 @@ std::string crack_finding(const std::vector<SummaryRow>& rows) {
 
 // Pre-condition: at least one row.
 std::string kind_finding(const std::vector<SummaryRow>& rows) {
-  const auto edges = [](const SummaryRow& row) { return row.all.edges; };
-  std::string text =
-      fmt::format("{} {} edges beside a cut: {}", edges(*std::ranges::max_element(rows, {}, edges)),
-                  name_of(rows.front().edges_of), crack_finding(rows));
+  const auto edges_of = [](const SummaryRow& row) { return row.all.edges; };
+  const std::int64_t edges = edges_of(*std::ranges::max_element(rows, {}, edges_of));
+  const std::string_view kind = name_of(rows.front().edges_of);
+  if (edges == 0) return fmt::format("No {} edge lies beside a cut, so nothing was judged.", kind);
+  std::string text = fmt::format("{} {} edges beside a cut: {}", edges, kind, crack_finding(rows));
   const SummaryRow& lost = *std::ranges::max_element(rows, {}, lost_px);
   if (lost_px(lost) > 0) {
     text += fmt::format("; {} loses neighbours up to {} px wide", lost.clipper,
@@ -58,7 +59,11 @@ std::string promise_finding(const std::vector<SummaryRow>& rows) {
   for (const SummaryRow& row : rows_where(rows, &SummaryRow::promise, Verdict::broken)) {
     broken.push_back(row.clipper + " in " + row.scalar);
   }
-  if (kept == 0 && broken.empty()) return "None of them promises to be watertight.";
+  if (kept == 0 && broken.empty()) {
+    return rows_where(rows, &SummaryRow::promise, Verdict::no_edge).empty()
+               ? "None of them promises to be watertight."
+               : "No promise to be watertight could be judged.";
+  }
   if (broken.empty()) return fmt::format("All {} promises to be watertight are kept.", kept);
   return fmt::format("BROKEN: {} of {} promises to be watertight, by {}.", broken.size(),
                      kept + broken.size(), fmt::join(broken, ", "));
@@ -78,7 +83,7 @@ std::vector<SummaryRow> summary_rows(const std::vector<Row>& by_scene) {
         if (row.clipper != sum.clipper || row.scalar != sum.scalar) return false;
         sum.all += row.all;
         different += row.different;
-        if (sum.promise != Verdict::broken) sum.promise = row.promise;
+        sum.promise = std::max(sum.promise, row.promise);
         return true;
       });
       sum.different_identical_percent = different.identical_percent();
@@ -113,8 +118,12 @@ Plot crack_plot(const std::vector<SummaryRow>& summary) {
   return plot;
 }
 
-std::string finding(const std::vector<SummaryRow>& summary) {
+std::string finding(const std::vector<MeshRow>& meshes, const std::vector<SummaryRow>& summary) {
   std::string text;
+  for (const MeshRow& mesh : meshes) {
+    if (!mesh.edges.may_crack()) continue;
+    text += fmt::format("Before any clipping {} has {}. ", mesh.scene, crack_text(mesh.edges));
+  }
   for (const Kind kind : distinct(summary, &SummaryRow::edges_of)) {
     text += kind_finding(rows_where(summary, &SummaryRow::edges_of, kind)) + " ";
   }

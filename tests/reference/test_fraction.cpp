@@ -104,6 +104,58 @@ TEST_CASE("fraction: rounding agrees with the processor's division") {
   }
 }
 
+template <class T>
+bool is_even(T x) {
+  using Limits = std::numeric_limits<T>;
+  if (x == 0) return true;
+  const int ulp =
+      std::max(std::ilogb(x) - Limits::digits + 1, Limits::min_exponent - Limits::digits);
+  return std::fmod(std::ldexp(x, -ulp), T(2)) == 0;
+}
+
+// No double is nearer than the one found: neither neighbour, and of two that are as near the even
+// one. The neighbours are compared in rationals, so that nothing here is rounded.
+template <class T>
+void check_nearest(const Rational& exact) {
+  const T found = round_to<T>(exact);
+  CAPTURE(found);
+  REQUIRE(std::isfinite(found));
+  const auto distance = [&](T x) { return Rational(abs(Rational(Rational(x) - exact))); };
+  const Rational own = distance(found);
+  for (const T direction :
+       {-std::numeric_limits<T>::infinity(), std::numeric_limits<T>::infinity()}) {
+    const T neighbour = std::nextafter(found, direction);
+    if (!std::isfinite(neighbour)) continue;
+    const Rational other = distance(neighbour);
+    REQUIRE(own <= other);
+    if (own == other) REQUIRE(is_even(found));
+  }
+}
+
+TEST_CASE("fraction: no neighbour is nearer to a rational than what it is rounded to") {
+  std::mt19937_64 random(9);
+  std::uniform_int_distribution<int> integer(-4000, 4000), exponent(-140, 120);
+  for (int i = 0; i < 5000; ++i) {
+    Rational value(integer(random), 2 * std::abs(integer(random)) + 1);
+    value.canonicalize();
+    value *= Rational(std::ldexp(1.0, exponent(random)));
+    CAPTURE(value.get_str());
+    check_nearest<double>(value);
+    check_nearest<float>(value);
+    check_nearest<double>(Rational(value * Rational(0x1p-1000)));  // subnormal in part
+  }
+}
+
+TEST_CASE("fraction: 1/10 is the double 0.1, and a tie of rationals goes to even") {
+  CHECK(round_to<double>(Rational(1, 10)) == 0.1);
+  CHECK(round_to<float>(Rational(-1, 10)) == -0.1f);
+  CHECK(round_to<double>(Rational(Rational(1) + Rational(0x1p-53))) == 1);
+  CHECK(round_to<double>(Rational(Rational(1) + 3 * Rational(0x1p-53))) == 1 + 0x1p-51);
+  CHECK(round_to<double>(Rational(0)) == 0);
+  CHECK(round_to<double>(Rational(Rational(DBL_MAX) + Rational(0x1p970))) == kInfinity);
+  CHECK(round_to<double>(Rational(Rational(0x1p-1074) / 2)) == 0);
+}
+
 // Many limbs, so that Mpzf::to_double cuts.
 TEST_CASE("fraction: an approximation of long numbers is within 2^-50") {
   std::mt19937_64 random(8);

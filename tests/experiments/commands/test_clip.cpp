@@ -93,6 +93,21 @@ TEST_CASE("clip: numbers triangles in input order and skips those without output
                                                  "1,1,0.5,0,0,1,8", "1,2,0,0.5,0,1,9"});
 }
 
+TEST_CASE("clip: an exact answer is written as the nearest double, and whole as a fraction") {
+  const Folder folder;
+  const std::string tenths = "1 0 0 10  0 1 0 10  0 0 1 10\n";
+  const std::string exact = "--space clip --scalar exact";
+  CHECK(rows_of(folder, exact, tenths).at(0) == "0,0,0.1,0,0,0.1");
+  CHECK(rows_of(folder, exact + " --hex", tenths).at(1) ==
+        "0,1,0x0p+0,0x1.999999999999ap-4,0x0p+0,0x1.999999999999ap-4");
+  CHECK(rows_of(folder, exact + " --fraction", tenths).at(2) == "0,2,0,0,1/10,1/10");
+  CHECK(rows_of(folder, "--space clip --scalar double --fraction", "-1 0 0 4  0 1 0 2  0 0 1 2\n")
+            .at(0) == "0,0,-1/4,0,0,1/4");
+  const Result both = folder.run("clip --space clip --hex --fraction", tenths);
+  CHECK(both.code == 2);
+  CHECK_THAT(both.err, Catch::Matchers::Contains("--fraction"));
+}
+
 TEST_CASE("clip: reads and writes hex floats without losing a bit") {
   const Folder folder;
   const std::string third = "0x1.555556p-2";
@@ -406,4 +421,29 @@ TEST_CASE("clip: wrong options and names are usage errors, exit 2") {
   expect("clip --space clip --primitive point --point-size inf --viewport 6x6 --scalar exact",
          "--point-size");
   expect("clip --space clip --point-size 3 --viewport 64x64", "--primitive point");
+}
+
+TEST_CASE("clip: text may begin with a byte order mark and end its lines as it likes") {
+  const std::string arguments = "clip --space clip --primitive segment";
+  const Folder folder;
+  const Result plain = folder.run(arguments, "-2 0 0 1  2 0 0 1\n0 0 0 1  1 0 0 1\n");
+  REQUIRE(plain.code == 0);
+  for (const char* text :
+       {"\xEF\xBB\xBF-2 0 0 1  2 0 0 1\n0 0 0 1  1 0 0 1\n",
+        "-2 0 0 1  2 0 0 1\r0 0 0 1  1 0 0 1\r", "-2 0 0 1  2 0 0 1\r\n0 0 0 1  1 0 0 1\r\n"}) {
+    CHECK(folder.run(arguments, text).out == plain.out);
+  }
+}
+
+TEST_CASE("clip: what can't be seen in a text is named") {
+  const Folder folder;
+  const auto refusal = [&](const std::string& text) {
+    const Result r = folder.run("clip --space clip --primitive point", text);
+    CHECK(r.code == 3);
+    return r.err;
+  };
+  CHECK(contains(refusal("0 0 0 1\xC2\xA0\n"), "'1<U+00A0 no-break space>' is not a number"));
+  CHECK(contains(refusal("\xE2\x88\x92.5 0 0 1\n"), "'<U+2212 minus sign>.5' is not a number"));
+  CHECK(contains(refusal(std::string("\xFF\xFE-\0", 4)),
+                 "standard input: the text is UTF-16 (little-endian); UTF-8 or ASCII expected"));
 }

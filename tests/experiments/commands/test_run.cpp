@@ -27,6 +27,21 @@ TEST_CASE("cli: run writes tables in three formats and pictures, and can be told
   CHECK(folder.run("run cost --quick --out /proc/no").code == 4);
 }
 
+TEST_CASE("cli: run prints each finding and where its tables are, the tables only when asked") {
+  const Folder folder;
+  const std::string run =
+      "run plane_order --quick --sample 20 --scene teapot --scalar float --out " +
+      (folder.path() / "results").string();
+  const Result brief = folder.run(run);
+  REQUIRE(brief.code == 0);
+  CHECK(contains(brief.out, "plane_order.{md,csv,tex}"));
+  CHECK(contains(brief.out, "report.html"));
+  CHECK(lines(brief.out).size() < 20);
+  for (const std::string& line : lines(brief.out)) CHECK(line.size() <= 100);
+  const Result full = folder.run(run + " --tables");
+  CHECK(lines(full.out).size() > lines(brief.out).size() + 20);
+}
+
 TEST_CASE("cli: the same seed gives the same accuracy table") {
   const Folder folder;
   const std::string arguments =

@@ -89,6 +89,19 @@ TEST_CASE("frontier: the dominated names the one that beats it; steps say what t
   CHECK(step.buys == "0.250 px instead of 0.500");
 }
 
+TEST_CASE("frontier: where nothing is visible nobody is ranked, drawn or praised") {
+  std::vector<Entry> entries = {entry(kA, 30, 0), entry(kB, 50, 0)};
+  for (Entry& e : entries) e.accuracy = {};
+  rank(entries);
+  const std::vector<Row> rows = rows_of<Row>(entries);
+  for (const Row& row : rows) CHECK(row.by_px.standing == Standing::unranked);
+  for (const Measure measure : kMeasures) {
+    for (const Series& series : frontier_plot(rows, {"set", measure}).series)
+      CHECK(series.x.empty());
+  }
+  CHECK(finding(rows, {}) == "set: nobody could be judged and timed.");
+}
+
 TEST_CASE("frontier: altered errors change the ranks") {
   std::vector<Entry> entries = {entry(kA, 10, 0.5), entry(kB, 20, 0.25)};
   rank(entries);

@@ -123,6 +123,20 @@ std::string sample_ply_binary(bool big_endian) {
   return bytes;
 }
 
+std::string sample_ply_strips() {
+  return "ply\n"
+         "format ascii 1.0\n"
+         "element vertex 5\n"
+         "property double x\nproperty double y\nproperty double z\n"
+         "element tristrips 2\n"
+         "property list int int vertex_indices\n"
+         "end_header\n"
+         "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 1\n"
+         // Two strips in one list, and one that repeats its last corner.
+         "9 0 1 4 2 3 -1 4 3 0\n"
+         "6 1 2 0 3 3 3\n";
+}
+
 std::string sample_stl_text() {
   std::string text = "solid a pyramid\n";
   for (const auto& t : kTriangles) {
@@ -200,15 +214,27 @@ std::string as_glb(const std::string& json, const std::string& buffer) {
 
 std::string sample_glb() { return as_glb(sample_gltf_json(""), sample_gltf_buffer()); }
 
+std::string sample_sparse_glb() {
+  std::string json = replaced(sample_gltf_json(""), "\"byteLength\":136", "\"byteLength\":140");
+  json = replaced(json, "\"byteLength\":36}",
+                  "\"byteLength\":36},{\"buffer\":0,\"byteOffset\":136,\"byteLength\":4}");
+  json = replaced(json, "{\"bufferView\":0,\"componentType\":5126",
+                  R"({"sparse":{"count":4,"indices":{"bufferView":3,"componentType":5121},
+"values":{"bufferView":0,"byteOffset":12}},"componentType":5126)");
+  return as_glb(json, sample_gltf_buffer() + "\1\2\3\4");
+}
+
 std::vector<SampleFile> sample_files() {
   return {{"a.obj", sample_obj()},
           {"text.ply", sample_ply_text()},
           {"little.ply", sample_ply_binary(false)},
           {"big.ply", sample_ply_binary(true)},
+          {"strips.ply", sample_ply_strips()},
           {"text.stl", sample_stl_text()},
           {"binary.stl", sample_stl_binary()},
           {"a.gltf", sample_gltf()},
-          {"a.glb", sample_glb()}};
+          {"a.glb", sample_glb()},
+          {"sparse.glb", sample_sparse_glb()}};
 }
 
 std::string replaced(std::string text, const std::string& part, const std::string& by) {

@@ -39,11 +39,15 @@ struct SampleFile {
 std::string sample_obj();
 std::string sample_ply_text();
 std::string sample_ply_binary(bool big_endian);
+std::string sample_ply_strips();  // in double
 std::string sample_stl_text();
 std::string sample_stl_binary();
 // One node with translation (10, 20, 30) over one with the mesh and scale 2.
 std::string sample_gltf();  // buffer as a data URI
 std::string sample_glb();   // buffer as a chunk
+// The same with positions in an accessor without a buffer view: zeros, of which all but the first
+// are replaced.
+std::string sample_sparse_glb();
 // The JSON of a glTF file with such a member for the buffer's place, such as "\"uri\":\"a.bin\",",
 // and the bytes of the buffer.
 std::string sample_gltf_json(const std::string& uri_member);

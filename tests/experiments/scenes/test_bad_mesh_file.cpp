@@ -64,7 +64,8 @@ TEST_CASE("bad OBJ: each fault is found at its line") {
                  "a.obj:13: the face refers to vertex 99, but only 5 vertices are defined"));
   CHECK(contains(with("f 1/1 2/1 5/2", "f 1/1 2/1 5/3"),
                  "a.obj:13: the face refers to texture coordinate 3, but only 2 "));
-  CHECK(contains(with("f 1/1 2/1 5/2", "f 1/1/1 2/1/1 5/2/1"), "refers to normal 1, but only 0 "));
+  CHECK(contains(with("f 1/1 2/1 5/2", "vn 0 0 1\nf 1/1/1 2/1/1 5/2/2"),
+                 "a.obj:14: the face refers to normal 2, but only 1 normal is defined"));
   CHECK(
       contains(with("f -3/1", "f -6/1"), "a.obj:15: the face refers 6 vertices back, but only 5 "));
   CHECK(contains(with("f 1/1 2/1 5/2", "f 0/1 2/1 5/2"), "a.obj:13: the face refers to vertex 0;"));
@@ -85,7 +86,21 @@ TEST_CASE("bad OBJ: each fault is found at its line") {
 
 TEST_CASE("bad OBJ: a file of vertices alone has no triangles") {
   CHECK(contains(refusal("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\n"), "no face ('f' line)"));
-  CHECK(contains(refusal("a.obj", "not a mesh\n"), "no face ('f' line)"));
+  CHECK(contains(refusal("a.obj", "# not a mesh\n"), "no face ('f' line)"));
+}
+
+TEST_CASE(
+    "bad OBJ: a word that is no keyword is named at its line, invisible characters included") {
+  const auto with = [](const char* by) {
+    return refusal("a.obj", replaced(sample_obj(), "v 1 1 0", by));
+  };
+  CHECK(contains(with("V 1 1 0"), "a.obj:6: 'V' is no OBJ keyword; v, vt, vn, f, another keyword"));
+  CHECK(contains(with("\xC2\xA0v 1 1 0"), "a.obj:6: '<U+00A0 no-break space>v' is no OBJ keyword"));
+  CHECK(contains(with("\xEF\xBB\xBFv 1 1 0"), "'<U+FEFF byte order mark>v' is no OBJ keyword"));
+  CHECK(contains(with("v 1 1\xC2\xA0 x"), "y of the vertex is '1<U+00A0 no-break space>'"));
+  CHECK(contains(with("v 1 1 \xE2\x88\x92.5"), "z of the vertex is '<U+2212 minus sign>.5'"));
+  CHECK(contains(with("v 1 1 \xFF"), "z of the vertex is '<0xFF>'"));
+  CHECK(contains(with("call other.obj"), "a.obj:6: 'call' includes another file"));
 }
 
 TEST_CASE("bad PLY: each fault of a text file is found at its line") {
@@ -150,6 +165,13 @@ TEST_CASE("bad STL: each fault of a text file is found at its line") {
   CHECK(contains(with("facet normal", "facet"), "a.stl:2: 'facet normal <x> <y> <z>' expected"));
   CHECK(contains(with("endsolid a pyramid\n", ""), "'endsolid' is missing: it is truncated"));
   CHECK(contains(refusal("a.stl", "solid nothing\nendsolid nothing\n"), "no triangles"));
+}
+
+TEST_CASE("bad PLY: vertex references must be whole numbers") {
+  CHECK(contains(refusal("a.ply", replaced(sample_ply_text(), "3 1 2 4", "3 1 2 3.5")),
+                 "a.ply:21: face 2: refers to vertex 3.5; a whole number was expected"));
+  CHECK(contains(refusal("a.ply", replaced(sample_ply_text(), "3 1 2 4", "3.5 1 2 4")),
+                 "a.ply:21: face 2: has a list of 3.5 values"));
 }
 
 TEST_CASE("bad STL: a binary file's size must fit its triangle count") {

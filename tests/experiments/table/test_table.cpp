@@ -79,6 +79,51 @@ TEST_CASE("table: a wide table is continued beneath, never wider than 100 column
   CHECK(with_name > 1);
 }
 
+TEST_CASE("table: columns that say nothing are left out of the text and named, not of the files") {
+  Table table("silent", "A table",
+              {{"scene", "scene"},
+               {"clipper", "clipper"},
+               {"lost", "lost"},
+               {"why", "why"},
+               {"edges", "edges"}});
+  table.add_row(
+      {std::string("teapot"), std::string("a"), std::int64_t{0}, Cell(), std::int64_t{5}});
+  table.add_row(
+      {std::string("teapot"), std::string("b"), std::int64_t{0}, Cell(), std::int64_t{5}});
+  CHECK(
+      table.to_text() ==
+      "A table\n\nclipper  edges\n-------  -----\na            5\nb            5\n"
+      "  Left out: the same in every row: scene (teapot); 0 in every row: lost; nothing in any row: why.\n");
+  CHECK(table.to_csv().starts_with("scene,clipper,lost,why,edges\n"));
+}
+
+TEST_CASE("table: a column that says something in a row that is not shown stays") {
+  Table table("tail", "A table", {{"name", "name"}, {"lost", "lost"}});
+  table.add_row({std::string("a"), std::int64_t{0}});
+  table.add_row({std::string("b"), std::int64_t{1}});
+  CHECK(table.to_text(1).find("lost") != std::string::npos);
+}
+
+TEST_CASE("table: a table of which every column says nothing is shown as it is") {
+  Table table("zero", "A table", {{"lost", "lost"}});
+  table.add_row({std::int64_t{0}});
+  CHECK(table.to_text() == "A table\n\nlost\n----\n   0\n");
+}
+
+TEST_CASE("table: a figure and its interval share a column of the text") {
+  Table table("timed", "A table",
+              {{"clipper", "clipper"},
+               {"ns_per_triangle", "ns/tri"},
+               {"ns_low", "95 % low"},
+               {"ns_high", "high"}});
+  table.add_row({std::string("a"), 65.5, 63.8, 69.0});
+  table.add_row({std::string("b"), Cell(), Cell(), Cell()});
+  const std::string text = table.to_text();
+  CHECK(text.find("ns/tri [95 %]") != std::string::npos);
+  CHECK(text.find("a        65.5 [63.8, 69.0]\n") != std::string::npos);
+  CHECK(text.find("b                        -\n") != std::string::npos);
+}
+
 TEST_CASE("table: files are written whole into a folder that is made") {
   const auto folder = std::filesystem::temp_directory_path() / "clipscope-table-test" / "deep";
   std::filesystem::remove_all(folder.parent_path());

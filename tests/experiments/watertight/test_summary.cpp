@@ -49,14 +49,31 @@ TEST_CASE("watertight: a promise broken in one scene is broken") {
 }
 
 TEST_CASE("watertight: the finding counts who is tight, and names the widest crack and loss") {
-  const std::string text = finding(summary_rows(rows()));
+  const std::string text = finding({}, summary_rows(rows()));
   CHECK(
       text ==
       "16 mesh edges beside a cut: in float 1 of 2 clippers leave both neighbours the same bits; careless cracks by up to 0.500 px (in double 1.0e-09). 8 grazing edges beside a cut: in float 1 of 2 clippers leave both neighbours the same bits; careless cracks by up to 0.500 px (in double 1.0e-09). All 2 promises to be watertight are kept.");
   const Row lost = row("floor", "dropper", "float", {8, 4, 0, 4, 0, 20});
   CHECK(
-      finding(summary_rows({lost})) ==
+      finding({}, summary_rows({lost})) ==
       "8 mesh edges beside a cut: in float 1 of 1 clippers leave both neighbours the same bits; dropper loses neighbours up to 20.0 px wide. None of them promises to be watertight.");
+}
+
+TEST_CASE("watertight: what a mesh brought along is named first") {
+  const MeshRow mesh{"tiles", 4, {.edges = 9, .open = 6, .t_junctions = 1}};
+  const MeshRow closed{"teapot", 4, {.edges = 6}};
+  CHECK(finding({closed, mesh}, summary_rows(rows()))
+            .starts_with(
+                "Before any clipping tiles has 1 T-junction, up to 0 off the edge. 16 mesh"));
+}
+
+TEST_CASE("watertight: where no edge lies beside a cut no promise is kept") {
+  const Row none = row("teapot", "careful", "float", {}, Verdict::no_edge);
+  CHECK(
+      finding({}, summary_rows({none})) ==
+      "No mesh edge lies beside a cut, so nothing was judged. No promise to be watertight could be judged.");
+  const Row kept = row("floor", "careful", "float", kTight, Verdict::kept);
+  CHECK(summary_rows({kept, none})[0].promise == Verdict::kept);
 }
 
 TEST_CASE("watertight: the plot has a bar for each clipper with a crack, by scalar and kind") {

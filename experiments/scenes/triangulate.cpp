@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/contestants/triangulate.hpp"
+#include "experiments/scenes/triangulate.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -12,20 +12,23 @@
 #include <numeric>
 
 #include "experiments/machine/errors.hpp"
+#include "reference/exact_clip.hpp"
 
 namespace clipscope::experiments {
 namespace {
+
+using Exact = reference::Rational;
 
 // Nothing but input points is ever constructed, so exact predicates make the whole computation
 // exact.
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point2 = Kernel::Point_2;
 
-enum class Place { unknown, inside, outside };
+enum class Region { unknown, inside, outside };
 
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<
-    Kernel, CGAL::Triangulation_face_base_with_info_2<Place, Kernel>>;
+    Kernel, CGAL::Triangulation_face_base_with_info_2<Region, Kernel>>;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
     CGAL::No_constraint_intersection_tag>;
@@ -96,13 +99,13 @@ Triangulation constrain_edges(const std::vector<Point2>& points) {
 // Faces reached from infinity without crossing the polygon's edges are outside; the rest are
 // inside, for the edges make one simple loop.
 void mark_places(Triangulation& triangulation) {
-  for (auto face : triangulation.all_face_handles()) face->info() = Place::inside;
+  for (auto face : triangulation.all_face_handles()) face->info() = Region::inside;
   std::vector<Triangulation::Face_handle> pending = {triangulation.infinite_face()};
   while (!pending.empty()) {
     const Triangulation::Face_handle face = pending.back();
     pending.pop_back();
-    if (face->info() == Place::outside) continue;
-    face->info() = Place::outside;
+    if (face->info() == Region::outside) continue;
+    face->info() = Region::outside;
     for (int i = 0; i < 3; ++i) {
       if (!face->is_constrained(i)) pending.push_back(face->neighbor(i));
     }
@@ -132,7 +135,7 @@ std::vector<IndexTriangle> triangulate_simple(const std::vector<Point2>& polygon
   mark_places(triangulation);
   std::vector<IndexTriangle> triangles;
   for (const auto face : triangulation.finite_face_handles()) {
-    if (face->info() != Place::inside) continue;
+    if (face->info() != Region::inside) continue;
     IndexTriangle t = {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
     if (!counterclockwise) std::swap(t[1], t[2]);
     triangles.push_back(t);

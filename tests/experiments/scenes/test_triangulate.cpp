@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/contestants/triangulate.hpp"
+#include "experiments/scenes/triangulate.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -17,11 +17,11 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "experiments/contestants/scalars.hpp"
 #include "spaces/vertex.hpp"
 
 namespace clipscope::experiments {
@@ -48,16 +48,15 @@ std::vector<IndexPolygon> convex_parts(std::span<const std::array<double, 3>> po
 std::vector<IndexPolygon> convex_parts(std::span<const std::array<double, 4>> points,
                                        const std::string& where = "polygon");
 
-// The triangles of vertices, whose attributes stay with them. Positions are converted to doubles:
-// exactly from float and double.
-template <Space S, Scalar T, int K>
+// The triangles of vertices, whose attributes stay with them.
+template <Space S, std::floating_point T, int K>
 std::vector<IndexTriangle> triangulate(std::span<const Vertex<S, T, K>> polygon,
                                        const std::string& where = "polygon") {
   constexpr int kDimension = Vertex<S, T, K>::kDimension;
   std::vector<std::array<double, kDimension>> points(polygon.size());
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     for (int c = 0; c < kDimension; ++c) {
-      points[i][static_cast<std::size_t>(c)] = nearest_double(polygon[i].position[c]);
+      points[i][static_cast<std::size_t>(c)] = polygon[i].position[c];
     }
   }
   return triangulate(std::span<const std::array<double, kDimension>>(points), where);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What people should know though it is no error: a line on standard error.
+#pragma once
+
+#include <string>
+
+namespace clipscope::experiments {
+
+// Prints "clipscope: warning: TEXT".
+void warn(const std::string& text);
+
+}  // namespace clipscope::experiments

@@ -132,7 +132,7 @@ const std::pair<std::string, std::vector<double>>& given_projection(
     const PrimitiveTextOptions& options) {
   if (options.projections.size() == 1) return options.projections.front();
   usage_error(
-      "--space view takes one of --perspective, --frustum, --ortho, --intrinsics and --matrix, {} given",
+      "what is in view space takes one of --perspective, --frustum, --ortho, --intrinsics and --matrix; {} given",
       options.projections.empty() ? "none is" : given_text(options) + " are");
 }
 

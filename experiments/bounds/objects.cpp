@@ -215,7 +215,6 @@ CullingHull<double> world_hull(const View& view) {
                               clipscope::bounds::absolute(back[2]));
   const Vec3<double> shift(view.view_from_world[3]);
   CullingHull<double> hull;
-  hull.known = true;
   hull.corners = culling_hull(frustum_cast<double>(view.frustum)).corners;
   for (HullCorner<double>& corner : hull.corners) {
     corner.position = back * (corner.position - corner.weight * shift);
@@ -224,18 +223,16 @@ CullingHull<double> world_hull(const View& view) {
     corner.magnitude = kFloatWeights * (magnitudes * moved);
     corner.weight_magnitude *= kFloatWeights;
   }
-  clipscope::bounds::set_edges(hull);
-  clipscope::bounds::set_back(hull);
+  clipscope::bounds::complete(hull);
   return hull;
 }
 
 std::span<const BoundKind> bound_kinds() {
-  static constexpr std::array<BoundKind, 9> kKinds = {{
+  static constexpr std::array<BoundKind, 8> kKinds = {{
       {"axis box", by_planes<axis_box>},
       {"sphere", by_planes<sphere>},
       {"oriented box", by_planes<oriented_box>},
       {"axis box, all axes", by_axes<axis_box>},
-      {"sphere, all axes", by_axes<sphere>},
       {"oriented box, all axes", by_axes<oriented_box>},
       {"box hierarchy", hierarchy<&Objects::boxes>},
       {"sphere hierarchy", hierarchy<&Objects::spheres>},

@@ -107,8 +107,8 @@ struct BoundKind {
   Culler (*make)(const Mesh& mesh, const Objects& objects);
 };
 
-// Axis-aligned box, sphere and oriented box, each by the planes and by all separating axes; for
-// clusters hierarchies of these, of the same tree, whose leaves are the objects: an inner node
+// Axis-aligned box, sphere and oriented box by the planes, the boxes by all separating axes, too;
+// for clusters hierarchies of each, of the same tree, whose leaves are the objects: an inner node
 // settles all below it at once.
 std::span<const BoundKind> bound_kinds();
 

@@ -143,7 +143,8 @@ Frustum<double> frustum_of(const PrimitiveTextOptions& options) {
 // The matrix, its numbers rounded as those of primitives are. Errors: UsageError.
 MatrixRows<double> matrix_of(const PrimitiveTextOptions& options) {
   std::array<double, 16> numbers;
-  std::ranges::copy(given_projection(options, "--space view takes").second, numbers.begin());
+  std::ranges::copy(given_projection(options, "what is in view space takes").second,
+                    numbers.begin());
   for (double& x : numbers) {
     if (reads_floats(options)) x = static_cast<float>(x);
     if (!std::isfinite(x)) {
@@ -264,7 +265,7 @@ Batch described_batch(const PrimitiveTextOptions& options) {
   Batch batch{.space = options.space == "view" ? Space::view : Space::clip,
               .attributes = options.attributes};
   if (batch.space == Space::view) {
-    if (given_projection(options, "--space view takes").first == "--matrix") {
+    if (given_projection(options, "what is in view space takes").first == "--matrix") {
       batch.matrix = matrix_of(options);
     } else {
       batch.frustum = frustum_of(options);

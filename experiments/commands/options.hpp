@@ -88,7 +88,7 @@ struct LensOptions {
 void add_lens_options(CLI::App& command, LensOptions& options);
 // "--ortho and --matrix"; "none".
 std::string given_text(const LensOptions& options);
-// The only one. who: "--space view takes", say. Errors: UsageError unless there is one.
+// The only one. who: "what is in view space takes", say. Errors: UsageError unless there is one.
 const GivenProjection& given_projection(const LensOptions& options, const std::string& who);
 // The frustum of the first, in double. Pre-condition: it is no --matrix. Errors: UsageError.
 Frustum<double> given_frustum(const LensOptions& options);

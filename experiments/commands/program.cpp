@@ -53,6 +53,7 @@ int run_program(int argc, char* argv[], const std::string& version) {
   CLI::App app(kAbout, "clipscope");
   app.set_version_flag("--version", version);
   app.footer(kProgramFooter);
+  app.require_subcommand(0, 1);  // `run bounds` asks an experiment, and no second command
   Action action;
   for (const auto add :
        {add_run_command, add_report_command, add_table_command, add_diff_command,

@@ -45,6 +45,13 @@ constexpr std::array<std::size_t, 2> hull_edge(std::size_t e) {
   return {first, first | std::size_t{1} << (e / 4)};
 }
 
+// A half-space that contains the whole view volume: normal . p <= most.
+template <std::floating_point T>
+struct HullSlab {
+  Vec3<T> normal = Vec3<T>(T(0));
+  T most = T(0);
+};
+
 template <std::floating_point T>
 struct CullingHull {
   bool known = false;
@@ -57,6 +64,10 @@ struct CullingHull {
   Vec3<T> back = Vec3<T>(T(0));
   AxisBox<T> reach = {Vec3<T>(-std::numeric_limits<T>::infinity()),
                       Vec3<T>(std::numeric_limits<T>::infinity())};
+  // Along x, y and z where the reach is not known, and across each edge and x, y or z, both ways:
+  // all that may separate an axis-aligned box, beside the planes.
+  std::array<HullSlab<T>, 6 * (kHullEdges + 1)> slabs;
+  int slab_count = 0;
 };
 
 namespace bounds {
@@ -100,6 +111,76 @@ void set_back(CullingHull<T>& hull) {
   for (const HullCorner<T>& c : hull.corners) {
     if (c.weight <= 4 * u * c.weight_magnitude) hull.back -= c.position / length_above(c.position);
   }
+}
+
+// What n . position - h weight is at a corner, and what it may be off by.
+template <std::floating_point T>
+struct CornerValue {
+  T value, error;
+};
+
+template <std::floating_point T>
+CornerValue<T> value_at(const HullCorner<T>& c, const Vec3<T>& n, const T& h) {
+  const Vec3<T> size = absolute(n);
+  const T terms = dot(size, c.magnitude) + std::abs(h) * c.weight_magnitude;
+  return {dot(n, c.position) - h * c.weight,
+          distance_error(terms, size[0] + size[1] + size[2] + std::abs(h))};
+}
+
+// Whether n . p <= h in the whole view volume; never true of what is not, whatever n is.
+template <std::floating_point T>
+bool is_bounded_by(const CullingHull<T>& hull, const Vec3<T>& n, const T& h) {
+  for (const HullCorner<T>& c : hull.corners) {
+    const CornerValue<T> at = value_at(c, n, h);
+    if (!(at.value < -at.error)) return false;
+  }
+  return true;
+}
+
+// Adds the least h that is known to bound n . p, if there is one: past the farthest corner by twice
+// its error, and then tried.
+template <std::floating_point T>
+void add_slab(CullingHull<T>& hull, const Vec3<T>& n) {
+  if (!(T(0) < length_above(n))) return;
+  T most = -std::numeric_limits<T>::infinity();
+  for (const HullCorner<T>& c : hull.corners) {
+    if (!(T(0) < c.weight)) continue;
+    const T at = dot(n, c.position) / c.weight;
+    most = std::max(most, at + 2 * value_at(c, n, at).error / c.weight);
+  }
+  if (!std::isfinite(most) || !is_bounded_by(hull, n, most)) return;
+  hull.slabs[static_cast<std::size_t>(hull.slab_count++)] = {n, most};
+}
+
+// A plane that is to be parallel to an edge without end may cross it far away, for rounding: its
+// normal is turned back by more than that.
+template <std::floating_point T>
+Vec3<T> turned_back(const CullingHull<T>& hull, const Vec3<T>& n) {
+  return 64 * std::numeric_limits<T>::epsilon() * length_above(n) * hull.back + n;
+}
+
+template <std::floating_point T>
+void set_slabs(CullingHull<T>& hull) {
+  const auto add_both = [&](const Vec3<T>& n) {
+    add_slab(hull, turned_back(hull, n));
+    add_slab(hull, turned_back(hull, Vec3<T>(-n)));
+  };
+  const std::array<Vec3<T>, 3> axes = OrientedBox<T>{}.axes;
+  for (const Vec3<T>& axis : axes) {
+    if (!is_finite(hull.reach)) add_both(axis);
+    for (int e = 0; e < hull.edge_count; ++e) {
+      add_both(cross(axis, hull.edges[static_cast<std::size_t>(e)]));
+    }
+  }
+}
+
+// All that follows from corners and reach.
+template <std::floating_point T>
+void complete(CullingHull<T>& hull) {
+  hull.known = true;
+  set_edges(hull);
+  set_back(hull);
+  set_slabs(hull);
 }
 
 // A row of a matrix, a plane or a corner, in numbers between two bounds.
@@ -214,7 +295,6 @@ HullCorner<T> corner_of(const Row4& corner) {
 template <std::floating_point T>
 CullingHull<T> culling_hull(const Frustum<T>& f) {
   CullingHull<T> hull;
-  hull.known = true;
   hull.reach = culling_planes(f).reach;
   for (std::size_t i = 0; i < 8; ++i) {
     const bool is_far = (i & 4) != 0;
@@ -230,8 +310,7 @@ CullingHull<T> culling_hull(const Frustum<T>& f) {
           Vec3<T>(std::abs(x) + std::abs(a), std::abs(y) + std::abs(b), std::abs(depth)), T(1)};
     }
   }
-  bounds::set_edges(hull);
-  bounds::set_back(hull);
+  bounds::complete(hull);
   return hull;
 }
 
@@ -247,10 +326,8 @@ CullingHull<T> culling_hull(DepthRange depth, const MatrixRows<T>& rows) {
     if (!bounds::orient(corners[i], rows[3])) return hull;
     hull.corners[i] = bounds::corner_of<T>(corners[i]);
   }
-  hull.known = true;
   hull.reach = bounds::reach_of<T>(corners);
-  bounds::set_edges(hull);
-  bounds::set_back(hull);
+  bounds::complete(hull);
   return hull;
 }
 

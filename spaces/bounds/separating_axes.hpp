@@ -14,7 +14,8 @@
 // Rounding. Whatever rounding did to an axis n: if n separates, the two are disjoint. With m, the
 // least value of n . q over the volume, less its error (distance_error), the whole view volume lies
 // below m if n . position - m weight <= 0 at each of its corners (culling_hull.hpp), which must
-// hold by more than the error of that sum.
+// hold by more than the error of that sum. The axes of an axis-aligned box are the same for every
+// box, so the bounds of the view volume along them are kept in the hull (slabs).
 //
 // Guarantees: those of visibility() for planes with a reach; a volume rejected by an axis has no
 // point in common with the exact view volume, in every rounding mode (the hull being made in
@@ -29,31 +30,24 @@ namespace clipscope {
 
 namespace bounds {
 
-// Whether the whole view volume has n . p < the least n . q of another volume, which is `least`,
-// give or take an error of at most that of terms as large as `magnitude`.
+// Whether the slab and the box have no point in common.
 template <std::floating_point T>
-bool is_below(const CullingHull<T>& hull, const Vec3<T>& n, const T& least, const T& magnitude,
-              const T& factor) {
-  const T m = least - distance_error(magnitude, factor);
-  const Vec3<T> size = absolute(n);
-  for (const HullCorner<T>& c : hull.corners) {
-    const T d = dot(n, c.position) - m * c.weight;
-    const T terms = dot(size, c.magnitude) + std::abs(m) * c.weight_magnitude;
-    if (!(d < -distance_error(terms, size[0] + size[1] + size[2] + std::abs(m)))) return false;
-  }
-  return true;
-}
-
-// Whether n, which points from the view volume to the other one, separates the two.
-template <std::floating_point T>
-bool separates(const CullingHull<T>& hull, const Vec3<T>& n, const AxisBox<T>& box) {
+bool are_disjoint(const HullSlab<T>& slab, const AxisBox<T>& box) {
   T least(0), magnitude(0);
   for (int i = 0; i < 3; ++i) {
-    const T a = n[i] * box.lower[i], b = n[i] * box.upper[i];
+    const T a = slab.normal[i] * box.lower[i], b = slab.normal[i] * box.upper[i];
     least += std::min(a, b);
     magnitude += std::max(std::abs(a), std::abs(b));
   }
-  return is_below(hull, n, least, magnitude, T(0));
+  return least - distance_error(magnitude) > slab.most;
+}
+
+// Whether n, which points from the view volume to the other one, separates the two: `least` is the
+// least n . q of the other, give or take an error of at most that of terms as large as `magnitude`.
+template <std::floating_point T>
+bool separates(const CullingHull<T>& hull, const Vec3<T>& n, const T& least, const T& magnitude,
+               const T& factor) {
+  return is_bounded_by(hull, n, T(least - distance_error(magnitude, factor)));
 }
 
 template <std::floating_point T>
@@ -66,59 +60,47 @@ bool separates(const CullingHull<T>& hull, const Vec3<T>& n, const OrientedBox<T
     most += box.half[i] * absolute(axis);
   }
   const T factor = box.half[0] + box.half[1] + box.half[2];
-  return is_below(hull, n, dot(n, box.centre) - extent, dot(absolute(n), most), factor);
+  return separates(hull, n, dot(n, box.centre) - extent, dot(absolute(n), most), factor);
 }
 
 template <std::floating_point T>
 bool separates(const CullingHull<T>& hull, const Vec3<T>& n, const Sphere<T>& sphere) {
   const T extent = length_above(n) * sphere.radius;
   const T magnitude = dot(absolute(n), absolute(sphere.centre)) + extent;
-  return is_below(hull, n, dot(n, sphere.centre) - extent, magnitude, sphere.radius);
+  return separates(hull, n, dot(n, sphere.centre) - extent, magnitude, sphere.radius);
 }
 
-// The same for n and for -n. A plane that is to be parallel to an edge without end may cross it far
-// away, for rounding: it is turned back by more than that.
+// The same for n and for -n.
 template <std::floating_point T, class Volume>
 bool separate_along(const CullingHull<T>& hull, const Vec3<T>& n, const Volume& volume) {
-  const T turn = 64 * std::numeric_limits<T>::epsilon() * length_above(n);
-  return separates(hull, Vec3<T>(turn * hull.back + n), volume) ||
-         separates(hull, Vec3<T>(turn * hull.back - n), volume);
+  return separates(hull, turned_back(hull, n), volume) ||
+         separates(hull, turned_back(hull, Vec3<T>(-n)), volume);
 }
 
-// Whether a plane parallel to an edge of the view volume and one of these directions separates.
-template <std::floating_point T, class Box>
-bool separate_across(const CullingHull<T>& hull, const std::array<Vec3<T>, 3>& directions,
-                     const Box& box) {
-  for (int e = 0; e < hull.edge_count; ++e) {
-    for (const Vec3<T>& direction : directions) {
-      const Vec3<T>& edge = hull.edges[static_cast<std::size_t>(e)];
-      if (separate_along(hull, cross(direction, edge), box)) return true;
-    }
+// What the planes of the view volume do not tell.
+template <std::floating_point T>
+bool are_separated(const CullingHull<T>& hull, const AxisBox<T>& box) {
+  if (are_disjoint(hull.reach, box)) return true;
+  for (int i = 0; i < hull.slab_count; ++i) {
+    if (are_disjoint(hull.slabs[static_cast<std::size_t>(i)], box)) return true;
   }
   return false;
 }
 
-// What the planes of the view volume do not tell. Along x, y and z the reach of the hull tells it,
-// where that is known.
-template <std::floating_point T>
-bool are_separated(const CullingHull<T>& hull, const AxisBox<T>& box) {
-  const std::array<Vec3<T>, 3> axes = OrientedBox<T>{}.axes;
-  if (are_disjoint(hull.reach, box)) return true;
-  if (!is_finite(hull.reach)) {
-    for (const Vec3<T>& face : axes) {
-      if (separate_along(hull, face, box)) return true;
-    }
-  }
-  return separate_across(hull, axes, box);
-}
-
+// The faces of the box, and its edges with those of the view volume.
 template <std::floating_point T>
 bool are_separated(const CullingHull<T>& hull, const OrientedBox<T>& box) {
   const auto& [u, v, w] = box.axes;
   for (const Vec3<T>& face : {cross(u, v), cross(v, w), cross(w, u)}) {
     if (separate_along(hull, face, box)) return true;
   }
-  return separate_across(hull, box.axes, box);
+  for (int e = 0; e < hull.edge_count; ++e) {
+    for (const Vec3<T>& axis : box.axes) {
+      const Vec3<T>& edge = hull.edges[static_cast<std::size_t>(e)];
+      if (separate_along(hull, cross(axis, edge), box)) return true;
+    }
+  }
+  return false;
 }
 
 template <std::floating_point T>

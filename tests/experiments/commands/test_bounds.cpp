@@ -10,11 +10,11 @@
 
 namespace {
 
-constexpr const char* kUnit = "bounds --frustum -1,1,-1,1,1,10 ";
+constexpr const char* kUnitBounds = "bounds --frustum -1,1,-1,1,1,10 ";
 
 // The rows of the table as JSON objects.
-nlohmann::json rows_of(const Folder& folder, const std::string& options,
-                       const std::string& input = "") {
+nlohmann::json bounds_rows(const Folder& folder, const std::string& options,
+                           const std::string& input = "") {
   const Result r = folder.run(options + " --json", input);
   INFO(options << "\n" << r.err);
   REQUIRE(r.code == 0);
@@ -25,9 +25,9 @@ nlohmann::json rows_of(const Folder& folder, const std::string& options,
 
 TEST_CASE("bounds: every kind of solid from standard input, and comments") {
   const Folder folder;
-  const auto rows = rows_of(folder, kUnit,
-                            "# around the view\nbox -1 -1 -4 1 1 -2\nsphere 13,0,-14,0x1.3p2\n"
-                            "obb 0 0 4  1 0 0  0 1 0  0 0 1\npoints 2 0 1 12 0 -9\n");
+  const auto rows = bounds_rows(folder, kUnitBounds,
+                                "# around the view\nbox -1 -1 -4 1 1 -2\nsphere 13,0,-14,0x1.3p2\n"
+                                "obb 0 0 4  1 0 0  0 1 0  0 0 1\npoints 2 0 1 12 0 -9\n");
   REQUIRE(rows.size() == 6);
   CHECK(rows[0]["solid"] == "standard input:2");
   CHECK(rows[0]["by_planes"] == "accepted");
@@ -44,16 +44,16 @@ TEST_CASE("bounds: every kind of solid from standard input, and comments") {
 TEST_CASE("bounds: a matrix answers as the frustum that it is of") {
   const Folder folder;
   const std::string solids = "box 10.5 -5 -25 30 5 -5\nsphere 0 0 -5 1\nsphere 13 0 -14 4.9\n";
-  const auto by_frustum = rows_of(folder, kUnit, solids);
+  const auto by_frustum = bounds_rows(folder, kUnitBounds, solids);
   const auto by_matrix =
-      rows_of(folder, "bounds --matrix 9,0,0,0,0,9,0,0,0,0,-11,-20,0,0,-9,0", solids);
+      bounds_rows(folder, "bounds --matrix 9,0,0,0,0,9,0,0,0,0,-11,-20,0,0,-9,0", solids);
   CHECK(by_frustum == by_matrix);
 }
 
 TEST_CASE("bounds: screen rectangles in NDC and px, cut by the near plane, beside the exact ones") {
   const Folder folder;
-  const auto rows = rows_of(folder, std::string(kUnit) + "--viewport 640x480",
-                            "sphere 0 0 0 2\nbox -1 0 -4 1 .5 4\n");
+  const auto rows = bounds_rows(folder, std::string(kUnitBounds) + "--viewport 640x480",
+                                "sphere 0 0 0 2\nbox -1 0 -4 1 .5 4\n");
   REQUIRE(rows.size() == 16);
   CHECK(rows[0]["x_to"] == "inf");
   CHECK(rows[2]["part"] == "beyond near");
@@ -69,7 +69,7 @@ TEST_CASE("bounds: screen rectangles in NDC and px, cut by the near plane, besid
 
 TEST_CASE("bounds: a mesh is bounded as its views see it, or as it is by a projection") {
   const Folder folder;
-  const auto rows = rows_of(folder, "bounds --scene teapot --quick");
+  const auto rows = bounds_rows(folder, "bounds --scene teapot --quick");
   REQUIRE(rows.size() > 3);
   CHECK(rows.size() % 3 == 0);
   for (const auto& row : rows) {
@@ -80,7 +80,7 @@ TEST_CASE("bounds: a mesh is bounded as its views see it, or as it is by a proje
     }
   }
   const auto mesh = folder.file("m.obj", "v 0 0 -2\nv .5 0 -2\nv 0 .5 -3\nf 1 2 3\n");
-  const auto as_it_is = rows_of(folder, kUnit + ("--scene " + quoted(mesh.string())));
+  const auto as_it_is = bounds_rows(folder, kUnitBounds + ("--scene " + quoted(mesh.string())));
   REQUIRE(as_it_is.size() == 3);
   CHECK(as_it_is[0]["content"] == "accepted");
 }
@@ -94,20 +94,20 @@ TEST_CASE("bounds: bad input is named") {
     CHECK(r.code == code);
     CHECK(contains(r.err, message));
   };
-  fails(kUnit, "box 1 2 3\n", 3, "standard input:1: 3 numbers given; expected box X0 Y0 Z0");
-  fails(kUnit, "\nball 1 2 3\n", 3, "standard input:2: 'ball' given");
-  fails(kUnit, "sphere 0 0 nan 1\n", 3, "'nan' is not finite");
-  fails(kUnit, "# nothing\n", 3, "there is no solid in it");
+  fails(kUnitBounds, "box 1 2 3\n", 3, "standard input:1: 3 numbers given; expected box X0 Y0 Z0");
+  fails(kUnitBounds, "\nball 1 2 3\n", 3, "standard input:2: 'ball' given");
+  fails(kUnitBounds, "sphere 0 0 nan 1\n", 3, "'nan' is not finite");
+  fails(kUnitBounds, "# nothing\n", 3, "there is no solid in it");
   fails("bounds", "sphere 0 0 0 1\n", 2, "--perspective");
   fails("bounds --matrix 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,0", "sphere 0 0 0 1\n", 2, "singular");
-  fails(std::string(kUnit) + "--scene teapot in.txt", "", 2, "--scene");
-  fails(std::string(kUnit) + "--viewport 640", "sphere 0 0 0 1\n", 2, "WxH");
+  fails(std::string(kUnitBounds) + "--scene teapot in.txt", "", 2, "--scene");
+  fails(std::string(kUnitBounds) + "--viewport 640", "sphere 0 0 0 1\n", 2, "WxH");
 }
 
 TEST_CASE("bounds: the table fits 100 columns") {
   const Folder folder;
   for (const char* options : {"", "--viewport 640x480"}) {
-    const Result r = folder.run(kUnit + std::string(options),
+    const Result r = folder.run(kUnitBounds + std::string(options),
                                 "box -1 0 -4 1 .5 4\nsphere 0.1 0.2 -3.3 1.7\npoints 1 2 3\n");
     REQUIRE(r.code == 0);
     for (const std::string& line : lines(r.out)) {
@@ -115,4 +115,13 @@ TEST_CASE("bounds: the table fits 100 columns") {
       CHECK(line.size() <= 100);
     }
   }
+}
+
+TEST_CASE("bounds: the experiment of the same name is still run") {
+  const Folder folder;
+  const Result r = folder.run("run bounds --quick --scene teapot --sample 50 --out " +
+                              quoted((folder.path() / "results").string()));
+  INFO(r.err);
+  CHECK(r.code == 0);
+  CHECK(std::filesystem::exists(folder.path() / "results" / "bounds.csv"));
 }

@@ -2,6 +2,7 @@
 //
 // Boxes and spheres against a view volume by all axes that may separate them: by hand, and against
 // exact arithmetic over random volumes.
+#include <cfenv>
 #include <cmath>
 #include <random>
 #include <sstream>
@@ -167,18 +168,60 @@ TEMPLATE_TEST_CASE(
   check<TestType, Sphere<TestType>>(3);
 }
 
-TEST_CASE("separating axes: a box beside an edge, outside of no plane and within the reach") {
-  Frustum<float> f;
-  f.far = 10;
+TEMPLATE_TEST_CASE("separating axes: no rounding mode rejects what has a point in the volume", "",
+                   float, double) {
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    Random random(4);
+    long rejected = 0, wrong = 0;
+    for (int n = 0; n < 100; ++n) {
+      const Frustum<TestType> f = random_frustum<TestType>(random);
+      const Volumes<TestType> v = of_frustum(f);
+      for (int i = 0; i < 30; ++i) {
+        const Place<TestType> place = random_place(random, v.planes, f);
+        const auto box = make(random, place, static_cast<OrientedBox<TestType>*>(nullptr));
+        std::fesetround(mode);
+        const Visibility answer = visibility(v.planes, v.hull, box);
+        std::fesetround(FE_TONEAREST);
+        if (answer != Visibility::rejected) continue;
+        ++rejected;
+        wrong += exact_overlap(v.forms, box) != Overlap::outside ? 1 : 0;
+      }
+    }
+    CHECK(wrong == 0);
+    CHECK(rejected > 500);
+  }
+}
+
+TEST_CASE("separating axes: a box that only the product of two edges separates") {
+  const Frustum<float> f;  // its far right edge is x = 10, z = -10
   const CullingPlanes<float> planes = culling_planes(f);
   const CullingHull<float> hull = culling_hull(f);
-  // Its corner (4, 3.5, -3) is nearest to the edge from (1, 1, -1) to (10, 10, -10), and is outside
-  // of right and top; other corners are inside of either.
-  const AxisBox<float> beside = box(4, 6, -1, 3.5f, -5, -3.9f);
+  // With n = (1, 0, -1) the box reaches from n . centre - 4 on, where it ends in an edge along
+  // (1, 1, 1); none of its faces, and none of the frustum's, is parallel to that.
+  OrientedBox<float> beside;
+  beside.axes = {Vec3<float>(1, 1, 1), Vec3<float>(0, 2, -2), Vec3<float>(2, -2, 0)};
+  beside.half = Vec3<float>(1);
+  beside.centre = Vec3<float>(12.1f, 0, -12.1f);
   CHECK(visibility(planes, beside) == Visibility::look_closer);
+  CHECK(visibility(planes, hull, beside) == Visibility::rejected);
+  beside.centre = Vec3<float>(12, 0, -12);  // the edges touch
   CHECK(visibility(planes, hull, beside) == Visibility::look_closer);
-  const AxisBox<float> beyond = box(3, 20, 8, 9, -8.5f, -2);
-  CHECK(visibility(planes, hull, beyond) == Visibility::look_closer);
+}
+
+TEST_CASE("separating axes: slabs contain every corner of the view volume") {
+  for (const CullingHull<float>& hull :
+       {culling_hull(Frustum<float>{}), culling_hull(Projection<float>(Frustum<float>{}))}) {
+    CHECK(hull.slab_count > 18);
+    for (int i = 0; i < hull.slab_count; ++i) {
+      const HullSlab<float>& slab = hull.slabs[static_cast<std::size_t>(i)];
+      float reach = -std::numeric_limits<float>::infinity();
+      for (const HullCorner<float>& c : hull.corners) {
+        reach = std::max(reach, bounds::dot(slab.normal, c.position) / c.weight);
+      }
+      CHECK(reach <= slab.most);
+      CHECK(slab.most <= reach + 1e-4f * (1 + std::abs(reach)) * length_above(slab.normal));
+    }
+  }
 }
 
 TEST_CASE("separating axes: an infinite far plane leaves directions, not corners") {

@@ -174,11 +174,11 @@ TEST_CASE("triangulate: a square with a corner off its plane is two triangles, b
 }
 
 TEST_CASE("triangulate: how far a vertex is off the plane is told") {
-  const std::vector<Point3> roof = {{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 7, 3}};
+  const std::vector<Point3> roof = {{0, 0, 0}, {16, 0, 0}, {16, 16, 0}, {4, 12, 3}};
   const Departure found = departure_from_plane(std::span<const Point3>(roof));
   CHECK(found.vertex == 3);
   CHECK(found.distance == 3);
-  const std::vector<Point4> clip = {{0, 0, 0, 1}, {8, 0, 0, 1}, {8, 8, 0, 1}, {0, 7, 3, 5}};
+  const std::vector<Point4> clip = {{0, 0, 0, 1}, {16, 0, 0, 1}, {16, 16, 0, 1}, {4, 12, 3, 5}};
   CHECK(departure_from_plane(std::span<const Point4>(clip)).distance == 5);
 }
 

@@ -112,7 +112,9 @@ void add_camera_command(CLI::App& app, Action& action) {
   clipscope camera --perspective 60,1.7778,0.1,10000 --depth reversed
   clipscope camera --intrinsics 525,525,319.5,239.5,640,480 --near 0.1 --far inf --picture lens.svg)");
   add_lens_options(command, options.lens);
-  add_depth_option(command, [&to = options.depth](DepthRange depth) { to = depth; });
+  add_depth_option(command, [&to = options.depth](DepthRange depth) {
+    to = depth;
+  })->description("Depth convention to read it by [a matrix: the first that fits; else gl]");
   command.add_flag("--double", options.in_double, "The matrix is in double [float]");
   add_option(command, "file", options.gltf, "FILE", "A glTF file whose camera is meant");
   add_option(command, "--camera", options.gltf_camera, "NAME|NUMBER",

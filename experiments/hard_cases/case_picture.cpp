@@ -39,6 +39,8 @@ std::string title_text(const HardCase& c) {
   const ClipVolume& volume = c.volume;
   std::string text = fmt::format("{}: a {} in {} space", c.name, to_string(c.primitive),
                                  c.space == Space::view ? "view" : "clip");
+  if (c.matrix) text += ", by a matrix as given";
+  if (!c.planes.empty()) text += ", " + counted(c.planes.size(), "user plane", "user planes");
   if (volume.depth == DepthRange::zero_to_one) text += ", depth 0 to 1";
   if (volume.depth == DepthRange::reversed) text += ", depth reversed";
   if (volume.depth_clamp) text += ", depth clamp" + clamped_plane(volume.depth_clamp);

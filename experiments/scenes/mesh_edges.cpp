@@ -67,7 +67,7 @@ std::int64_t count_repeated_triangles(const Mesh& mesh, const std::vector<std::u
       f(corners);
     }
   });
-  return std::ranges::unique(triangles).size();
+  return triangles.end() - std::unique(triangles.begin(), triangles.end());
 }
 
 std::vector<HalfEdge> half_edges_of(const Mesh& mesh, const std::vector<std::uint32_t>& vertex) {
@@ -87,7 +87,7 @@ using Ends = std::array<std::uint32_t, 2>;
 // The vertices of open edges, to be asked which of them lie near a place.
 class OpenVertices {
  public:
-  OpenVertices(const Mesh& mesh, const std::vector<Ends>& open) : mesh_(mesh) {
+  OpenVertices(const Mesh& mesh, const std::vector<Ends>& open) {
     std::set<std::uint32_t> vertices;
     for (const Ends& ends : open) vertices.insert(ends.begin(), ends.end());
     std::vector<Entry> entries;
@@ -114,7 +114,6 @@ class OpenVertices {
 
   static Corner corner_of(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
-  const Mesh& mesh_;
   Tree tree_;
 };
 

@@ -61,12 +61,14 @@ struct Textbook : StartsInClipSpace<Textbook> {
     return polygon;
   }
 
+  // In the order of Plane.
   template <Scalar T>
   static std::array<Vec4<T>, kPlanes> plane_vectors(DepthRange depth) {
     const T o(0), i(1), m(-1);
-    const T near(depth == DepthRange::minus_one_to_one ? 1 : 0);
-    return {Vec4<T>(i, o, o, i), Vec4<T>(m, o, o, i),    Vec4<T>(o, i, o, i),
-            Vec4<T>(o, m, o, i), Vec4<T>(o, o, i, near), Vec4<T>(o, o, m, i)};
+    const bool reversed = depth == DepthRange::reversed;
+    const Vec4<T> low(o, o, i, T(depth == DepthRange::minus_one_to_one ? 1 : 0)), high(o, o, m, i);
+    return {Vec4<T>(i, o, o, i), Vec4<T>(m, o, o, i),   Vec4<T>(o, i, o, i),
+            Vec4<T>(o, m, o, i), reversed ? high : low, reversed ? low : high};
   }
 
   template <Scalar T>

@@ -12,8 +12,8 @@
 #include <cmath>
 
 #include "experiments/claims/random_cases.hpp"
-#include "experiments/scenes/triangulate.hpp"
 #include "experiments/judge/compare.hpp"
+#include "experiments/scenes/triangulate.hpp"
 #include "experiments/selection/select.hpp"
 #include "reference/exact_clip.hpp"
 #include "spaces/homogeneous/polygon.hpp"

@@ -96,8 +96,8 @@ TEST_CASE("frontier: where nothing is visible nobody is ranked, drawn or praised
   const std::vector<Row> rows = rows_of<Row>(entries);
   for (const Row& row : rows) CHECK(row.by_px.standing == Standing::unranked);
   for (const Measure measure : kMeasures) {
-    for (const Series& series : frontier_plot(rows, {"set", measure}).series)
-      CHECK(series.x.empty());
+    const Plot plot = frontier_plot(rows, {"set", measure});
+    for (const Series& series : plot.series) CHECK(series.x.empty());
   }
   CHECK(finding(rows, {}) == "set: nobody could be judged and timed.");
 }

@@ -61,9 +61,9 @@ TEST_CASE("recentre: a camera in the file's coordinates sees the mesh where it w
   recentre(scene);
   SceneTriangle triangle;
   view_triangles(scene, scene.views[0], 0, {&triangle, 1});
-  // The top lies 1.6 below the eye, 0.15 to each side. Two roundings to float are off by up to 2^-27
-  // each there (2^-24 in depth), and those of the map coordinates, of the eye and of the origin in
-  // double by 2^-30 each.
+  // The top lies 1.6 below the eye, 0.15 to each side. Two roundings to float are off by up to
+  // 2^-27 each there (2^-24 in depth), and those of the map coordinates, of the eye and of the
+  // origin in double by 2^-30 each.
   for (const auto& corner : triangle) {
     CHECK(std::abs(std::abs(double{corner.position[0]}) - 0.15) < 2 * 0x1p-27 + 4 * 0x1p-30);
     CHECK(std::abs(std::abs(double{corner.position[1]}) - 0.15) < 2 * 0x1p-27 + 4 * 0x1p-30);

@@ -77,10 +77,14 @@ int compare_contestants(const CompareOptions& options) {
   std::vector<AccuracyTally> tallies(contestants.size());
   std::vector<SampledView> views;
   std::vector<std::string> cracks;  // that the meshes have by themselves
-  const AccuracyOptions accuracy{.triangles_per_view = selection.sample};
+  bool in_double = false;           // somebody gets a mesh in double
+  const AccuracyOptions accuracy{.triangles_per_view = selection.sample, .in_double = true};
   const std::vector<std::string> names = scene_names(selection);
   for (const std::string& name : names) {
     const Scene scene = load_selected_scene(selection, name);
+    in_double = in_double || std::ranges::any_of(contestants, [&](const Contestant* c) {
+                  return takes_doubles(*c->format, scene);
+                });
     if (const MeshEdges edges = edges_of(scene.mesh); edges.may_crack()) {
       cracks.push_back(
           fmt::format("{} as given has {}: a picture may crack there however it is clipped.",
@@ -103,6 +107,10 @@ int compare_contestants(const CompareOptions& options) {
                timing.is_timed() ? std::nullopt : std::optional(timing.refused)});
   }
   for (const std::string& note : cracks) table.add_note(note);
+  if (in_double) {
+    table.add_note(
+        "Scalars beyond float are given, and judged by, positions in double, as the file has them.");
+  }
   if (!left_out.empty()) table.add_note(left_out);
   table.add_note(machine_description());
   print_table(table, selection.json, options.out);

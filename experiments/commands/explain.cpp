@@ -105,8 +105,11 @@ HardCase case_from_scene(const ExplainOptions& options) {
                 options.triangle);
   }
   const View& view = find_view(scene, options.view);
-  const auto triangles = sampled_view_triangles(scene, view, {all, 1}, options.triangle, 1);
-  Batch batch = batch_of(view, triangles);
+  const auto in_float = sampled_view_triangles(scene, view, {all, 1}, options.triangle, 1);
+  const auto in_double =
+      sampled_view_triangles<DoubleSceneTriangle>(scene, view, {all, 1}, options.triangle, 1);
+  Batch batch = takes_doubles(format_of(options), scene) ? batch_of(view, in_double)
+                                                         : batch_of(view, in_float);
   set_volume(options.volume, format_of(options), batch);
   return case_of(batch, options, fmt::format("triangle {} of {}", options.triangle, scene.name),
                  fmt::format("seen from {}", view.label));

@@ -76,9 +76,10 @@ std::string hex_polygon(const PolygonView& polygon, std::size_t numbers) {
 }
 
 // The triangles are those of the sample from number `first` on; they are `stride` apart.
+template <class Triangle>
 void verify_triangles(const Contestant& contestant, const std::string& scene, const View& view,
-                      const std::vector<SceneTriangle>& triangles, std::size_t first,
-                      std::size_t stride, Verified& verified) {
+                      const std::vector<Triangle>& triangles, std::size_t first, std::size_t stride,
+                      Verified& verified) {
   const Batch batch = batch_of(view, triangles);
   const PromiseChecker checker(batch);
   const Answers answers = clip(contestant, batch);
@@ -106,10 +107,15 @@ void verify_scene(const Contestant& contestant, const Scene& scene, std::size_t 
   const Spacing spacing = spacing_of(scene, limit);
   Progress progress(fmt::format("verify {}", scene.name), spacing.count * scene.views.size());
   for (const View& view : scene.views) {
-    for_each_chunk(scene, view, spacing, [&](const auto& triangles, std::size_t first) {
+    const auto verify_chunk = [&](const auto& triangles, std::size_t first) {
       verify_triangles(contestant, scene.name, view, triangles, first, spacing.stride, verified);
       progress.advance(triangles.size());
-    });
+    };
+    if (takes_doubles(*contestant.format, scene)) {
+      for_each_chunk<DoubleSceneTriangle>(scene, view, spacing, verify_chunk);
+    } else {
+      for_each_chunk(scene, view, spacing, verify_chunk);
+    }
   }
 }
 

@@ -13,13 +13,31 @@ double Batch::number(std::size_t i) const {
   return std::visit([i](const auto& n) { return double{n[i]}; }, numbers);
 }
 
-Batch batch_of(const View& view, std::span<const SceneTriangle> triangles) {
+namespace {
+
+template <class Triangle>
+Batch any_batch_of(const View& view, std::span<const Triangle> triangles) {
   Batch batch = batch_of(view.frustum, triangles);
   if (view.matrix) batch.matrix = matrix_cast<double>(*view.matrix);
   return batch;
 }
 
-reference::Truth truth_of(const View& view) { return reference::truth_of(batch_of(view, {})); }
+}  // namespace
+
+Batch batch_of(const View& view, std::span<const SceneTriangle> triangles) {
+  return any_batch_of(view, triangles);
+}
+Batch batch_of(const View& view, std::span<const DoubleSceneTriangle> triangles) {
+  return any_batch_of(view, triangles);
+}
+
+bool takes_doubles(const Format& format, const Scene& scene) {
+  return !format.is_float() && !scene.mesh.double_positions.empty();
+}
+
+reference::Truth truth_of(const View& view) {
+  return reference::truth_of(batch_of(view, std::span<const SceneTriangle>()));
+}
 
 std::vector<Batch> batches_of(std::span<const SampledView> views) {
   std::vector<Batch> batches;

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "experiments/contestants/scalars.hpp"
 #include "experiments/scenes/scene.hpp"
 #include "reference/truth.hpp"
 #include "spaces/projection.hpp"
@@ -81,7 +82,12 @@ Batch batch_of(const ClipVolume& volume, std::span<const Simplex<Space::clip, T,
 
 // The triangles of a view; of several views a batch each.
 Batch batch_of(const View& view, std::span<const SceneTriangle> triangles);
+Batch batch_of(const View& view, std::span<const DoubleSceneTriangle> triangles);
 std::vector<Batch> batches_of(std::span<const SampledView> views);
+
+// Whether a scalar of the format gets a scene's triangles in double: where it holds more than a
+// float does, and so does the mesh.
+bool takes_doubles(const Format& format, const Scene& scene);
 
 // What the triangles of a view are clipped against: its exact frustum, or its matrix as given.
 reference::Truth truth_of(const View& view);

@@ -64,10 +64,10 @@ CameraOptions with_gltf_camera(const CameraOptions& options, const std::filesyst
   return placed;
 }
 
-}  // namespace
-
-void view_triangles(const Scene& scene, const View& view, std::size_t first,
-                    std::span<SceneTriangle> out) {
+// Moves vertices of the mesh, each at point(mesh, vertex), to view space, each rounded to T once.
+template <class T, class Point>
+void fill(const Scene& scene, const View& view, std::size_t first,
+          std::span<ViewTriangle<T, kSceneAttributes>> out, const Point& point) {
   assert(first + out.size() <= scene.mesh.triangles.size());
   const Mesh& mesh = scene.mesh;
   const glm::dmat4& m = view.view_from_world;
@@ -76,12 +76,24 @@ void view_triangles(const Scene& scene, const View& view, std::size_t first,
   for (std::size_t i = 0; i < out.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t corner = mesh.triangles[first + i][k];
-      const dvec3 p = point_of(mesh, corner);
+      const dvec3 p = point(mesh, corner);
       const dvec3 moved = x_axis * p.x + y_axis * p.y + z_axis * p.z + origin;
-      out[i][k].position = Vec3<float>(is_identity ? p : moved);
-      out[i][k].attributes.values = mesh.attributes[corner];
+      out[i][k].position = Vec3<T>(is_identity ? p : moved);
+      std::ranges::copy(mesh.attributes[corner], out[i][k].attributes.values.begin());
     }
   }
+}
+
+}  // namespace
+
+void view_triangles(const Scene& scene, const View& view, std::size_t first,
+                    std::span<SceneTriangle> out) {
+  fill(scene, view, first, out, point_of);
+}
+
+void view_triangles(const Scene& scene, const View& view, std::size_t first,
+                    std::span<DoubleSceneTriangle> out) {
+  fill(scene, view, first, out, point_in_double);
 }
 
 Box bounding_box(const Mesh& mesh) {
@@ -126,16 +138,6 @@ Spacing spacing_of(const Scene& scene, std::size_t limit) {
   if (limit == 0 || triangles <= limit) return {triangles, 1};
   const std::size_t stride = (triangles + limit - 1) / limit;
   return {(triangles + stride - 1) / stride, stride};
-}
-
-std::vector<SceneTriangle> sampled_view_triangles(const Scene& scene, const View& view,
-                                                  const Spacing& spacing, std::size_t first,
-                                                  std::size_t count) {
-  std::vector<SceneTriangle> triangles(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    view_triangles(scene, view, (first + i) * spacing.stride, std::span(triangles).subspan(i, 1));
-  }
-  return triangles;
 }
 
 std::vector<SampledView> sampled_views(const Scene& scene, std::size_t limit) {

@@ -28,6 +28,7 @@ namespace clipscope::experiments {
 inline constexpr int kSceneAttributes = 4;
 
 using SceneTriangle = ViewTriangle<float, kSceneAttributes>;
+using DoubleSceneTriangle = ViewTriangle<double, kSceneAttributes>;
 
 struct Mesh {
   std::vector<std::array<float, 3>> positions;  // world space
@@ -73,6 +74,9 @@ struct Scene {
 // Pre-condition: first + out.size() <= scene.mesh.triangles.size().
 void view_triangles(const Scene& scene, const View& view, std::size_t first,
                     std::span<SceneTriangle> out);
+// The same without the roundings to float, from positions as the file has them.
+void view_triangles(const Scene& scene, const View& view, std::size_t first,
+                    std::span<DoubleSceneTriangle> out);
 
 // An axis-aligned box, lo <= hi in each coordinate.
 struct Box {
@@ -117,18 +121,25 @@ struct Spacing {
 Spacing spacing_of(const Scene& scene, std::size_t limit);
 
 // The sampled triangles [first, first + count) of a view.
-std::vector<SceneTriangle> sampled_view_triangles(const Scene& scene, const View& view,
-                                                  const Spacing& spacing, std::size_t first,
-                                                  std::size_t count);
+template <class Triangle = SceneTriangle>
+std::vector<Triangle> sampled_view_triangles(const Scene& scene, const View& view,
+                                             const Spacing& spacing, std::size_t first,
+                                             std::size_t count) {
+  std::vector<Triangle> triangles(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    view_triangles(scene, view, (first + i) * spacing.stride, std::span(&triangles[i], 1));
+  }
+  return triangles;
+}
 
 // Calls f(triangles, first) with all sampled triangles of a view, some thousand at once, so that
 // memory does not grow with the mesh. first: the number of the first of them in the sample.
-template <class F>
+template <class Triangle = SceneTriangle, class F>
 void for_each_chunk(const Scene& scene, const View& view, const Spacing& spacing, const F& f) {
   constexpr std::size_t kChunk = 4096;
   for (std::size_t first = 0; first < spacing.count; first += kChunk) {
     const std::size_t count = std::min(kChunk, spacing.count - first);
-    f(sampled_view_triangles(scene, view, spacing, first, count), first);
+    f(sampled_view_triangles<Triangle>(scene, view, spacing, first, count), first);
   }
 }
 

@@ -27,6 +27,36 @@ bool add(const Comparison& c, AccuracyTally& tally) {
   return c.position_px > tally.worst_position.error;
 }
 
+// Who is judged on the same numbers, and what is known of it.
+struct Judged {
+  const Contestant* contestant;
+  AccuracyTally* tally;
+};
+
+// A view with its truth; triangle i of the sample is triangle i * stride of the mesh.
+struct Exhibit {
+  const Scene& scene;
+  const View& view;
+  reference::Truth truth;
+  std::size_t stride;
+};
+
+// first: the number of the batch's first triangle in the sample.
+void judge(const Exhibit& exhibit, const Batch& batch, std::size_t first,
+           std::span<const Judged> judged) {
+  const std::vector<TruthPolygon> truths = truth_polygons(exhibit.truth, batch);
+  for (const auto& [contestant, tally] : judged) {
+    const Answers answers = clip(*contestant, batch);
+    const auto comparisons = compare(answers, truths);
+    for (std::size_t i = 0; i < comparisons.size(); ++i) {
+      tally->overshoot = std::max(tally->overshoot, overshoot(batch.volume, answers[i]));
+      if (!add(comparisons[i], *tally)) continue;
+      tally->worst_position = {comparisons[i].position_px, exhibit.scene.name, exhibit.view.label,
+                               (first + i) * exhibit.stride};
+    }
+  }
+}
+
 }  // namespace
 
 std::size_t sampled_triangles(const Scene& scene, const AccuracyOptions& options) {
@@ -36,26 +66,23 @@ std::size_t sampled_triangles(const Scene& scene, const AccuracyOptions& options
 void measure_accuracy(const Scene& scene, const Contestants& contestants,
                       const AccuracyOptions& options, std::span<AccuracyTally> tallies,
                       Progress& progress) {
+  std::vector<Judged> in_float, in_double;
+  for (std::size_t c = 0; c < contestants.size(); ++c) {
+    const bool doubles = options.in_double && takes_doubles(*contestants[c]->format, scene);
+    (doubles ? in_double : in_float).push_back({contestants[c], &tallies[c]});
+  }
   const Spacing spacing = spacing_of(scene, options.triangles_per_view);
   for (const View& view : scene.views) {
-    const reference::Truth truth = truth_of(view, options.truth);
-    const auto judge_chunk = [&](std::span<const SceneTriangle> triangles, std::size_t first) {
-      const Batch batch = batch_of(view, triangles);
-      const std::vector<TruthPolygon> truths = truth_polygons(truth, batch);
-      for (std::size_t c = 0; c < contestants.size(); ++c) {
-        const Answers answers = clip(*contestants[c], batch);
-        const auto comparisons = compare(answers, truths);
-        for (std::size_t i = 0; i < comparisons.size(); ++i) {
-          tallies[c].overshoot =
-              std::max(tallies[c].overshoot, overshoot(batch.volume, answers[i]));
-          if (!add(comparisons[i], tallies[c])) continue;
-          tallies[c].worst_position = {comparisons[i].position_px, scene.name, view.label,
-                                       (first + i) * spacing.stride};
-        }
+    const Exhibit exhibit{scene, view, truth_of(view, options.truth), spacing.stride};
+    for_each_chunk(scene, view, spacing, [&](const auto& triangles, std::size_t first) {
+      judge(exhibit, batch_of(view, triangles), first, in_float);
+      if (!in_double.empty()) {
+        const auto as_given = sampled_view_triangles<DoubleSceneTriangle>(scene, view, spacing,
+                                                                          first, triangles.size());
+        judge(exhibit, batch_of(view, as_given), first, in_double);
       }
       progress.advance(triangles.size());
-    };
-    for_each_chunk(scene, view, spacing, judge_chunk);
+    });
   }
 }
 

@@ -43,6 +43,7 @@ struct AccuracyTally {
 struct AccuracyOptions {
   reference::TruthKind truth = reference::TruthKind::frustum;
   std::size_t triangles_per_view = 0;  // evenly spaced over the mesh; 0: all
+  bool in_double = false;              // for whom takes_doubles holds
 };
 
 // The number of triangles that measure_accuracy will go through.

@@ -41,3 +41,25 @@ TEST_CASE("cli: a bad mesh is named with its place, exit 3") {
   CHECK(r.code == 3);
   CHECK(contains(r.err, "bad.obj:4"));
 }
+
+TEST_CASE("cli: double and exact scalars are given positions in double, as the file has them") {
+  const Folder folder;
+  const fs::path mesh = folder.file("roof.obj",
+                                    "v 12958095.1 4865499.8 10\nv 12958095.4 4865499.8 10\n"
+                                    "v 12958095.4 4865500.1 10\nf 1 2 3\n");
+  const std::string camera =
+      " --scene " + mesh.string() +
+      " --eye 12958095.25,4865499.95,12 --target 12958095.25,4865499.95,10 --up 0,1,0 --near 0.5 --far 10 --json";
+  const auto outcomes = [&](const std::string& scalar) {
+    const Result r = folder.run(
+        "compare --quick --clipper homogeneous/sutherland_hodgman --scalar " + scalar + camera);
+    REQUIRE(r.code == 0);
+    return nlohmann::json::parse(r.out)["rows"][0];
+  };
+  // In float the three positions fall together, and there is nothing to see.
+  CHECK(outcomes("float")["median_px"].is_null());
+  CHECK(outcomes("double")["max_px"].get<double>() < 1e-3);
+  const Result r =
+      folder.run("explain --clipper homogeneous/sutherland_hodgman --scalar double" + camera);
+  CHECK(contains(r.out, "\"exact\""));
+}

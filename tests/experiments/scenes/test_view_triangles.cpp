@@ -59,6 +59,20 @@ TEST_CASE("view_triangles: a coordinate is the exact sum rounded to float once")
   CHECK(out[0][0].position[0] == 0x1p-25f);
 }
 
+TEST_CASE(
+    "view_triangles: in double a position is what the file has, moved without a rounding to float") {
+  Scene scene = two_triangles();
+  scene.mesh.double_positions.resize(scene.mesh.positions.size());
+  scene.mesh.double_positions[scene.mesh.triangles[0][0]] = {0.1, 12958095.1, -1};
+  std::vector<DoubleSceneTriangle> out(1);
+  view_triangles(scene, View{}, 0, out);
+  CHECK(out[0][0].position == Vec3<double>(0.1, 12958095.1, -1));
+  View view;
+  view.view_from_world[3] = {0, -12958095, 0, 1};
+  view_triangles(scene, view, 0, out);
+  CHECK(out[0][0].position == Vec3<double>(0.1, 12958095.1 - 12958095.0, -1));
+}
+
 TEST_CASE("bounding_box: spans all vertices, and no more") {
   const Box box = bounding_box(two_triangles().mesh);
   CHECK(box.lo == glm::dvec3(1, 0, 0));

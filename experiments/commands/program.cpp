@@ -26,7 +26,7 @@ constexpr const char* kProgramFooter = R"(Examples:
   clipscope camera --perspective 60,1.7778,0.1,1000
 
 Exit codes: 0 done; 1 a promise is broken (verify), a figure moved (diff); 2 wrong option or name;
-3 bad input file or line; 4 results can't be written.)";
+3 bad input file or line; 4 results can't be written; 5 a check had nothing to judge.)";
 
 int say(const char* kind, const std::exception& error, int code) {
   fmt::print(stderr, "clipscope: {}{}\n", kind, error.what());

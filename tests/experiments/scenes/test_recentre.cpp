@@ -31,7 +31,7 @@ TEST_CASE("detail: positions that fall together in float are counted, with the u
   const std::string text = describe(detail, "box.obj");
   CHECK(contains(
       text,
-      "box.obj: 6 of 8 positions fall together with others in float, whose neighbours are 1 apart at 12958095"));
+      "box.obj: in float 6 of 8 positions fall together with others, 10 of 10 triangles have an edge that changes by more than 1 %: neighbouring floats are 1 apart at 12958095"));
   CHECK(contains(text, "--recentre"));
 }
 
@@ -42,6 +42,19 @@ TEST_CASE("detail: a mesh of floats loses nothing, and one near the origin neith
       folder.write("a.obj", replaced(sample_obj(), "0.5 0.5", "0.1 0.2")).string(), {}, {});
   CHECK_FALSE(scene.mesh.double_positions.empty());
   CHECK(lost_detail(scene.mesh).fallen == 0);
+}
+
+TEST_CASE("detail: positions that stay apart may still bend the triangles") {
+  const TemporaryFolder folder;
+  const Scene scene = load_scene(
+      folder.write("a.obj", "v 12958095.12 0 0\nv 12958095.52 0 0\nv 12958095.12 9 0\nf 1 2 3\n")
+          .string(),
+      {}, {});
+  const LostDetail detail = lost_detail(scene.mesh);
+  CHECK(detail.fallen == 0);
+  CHECK(detail.bent == 1);
+  CHECK(contains(describe(detail, "a.obj"),
+                 "1 of 1 triangles has an edge that changes by more than 1 %"));
 }
 
 TEST_CASE("recentre: the detail of a mesh far from the origin survives in float") {

@@ -104,10 +104,10 @@ int describe_camera(const CameraCommand& options) {
 }  // namespace
 
 void add_camera_command(CLI::App& app, Action& action) {
-  const auto [command, options] = add_command(
-      app, action, describe_camera, "camera",
-      "What a projection matrix means: its frustum, hand, depth convention, planes and digits",
-      R"(Examples:
+  const auto [command, options] =
+      add_command(app, action, describe_camera, "camera",
+                  "What a projection matrix means: frustum, hand, depth, planes, digits",
+                  R"(Examples:
   clipscope camera --matrix 1,0,0,0,0,1,0,0,0,0,-1.00002,-0.200002,0,0,-1,0
   clipscope camera --perspective 60,1.7778,0.1,10000 --depth reversed
   clipscope camera --intrinsics 525,525,319.5,239.5,640,480 --near 0.1 --far inf --picture lens.svg)");

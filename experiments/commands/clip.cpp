@@ -275,8 +275,10 @@ Examples:
   echo '1 0 0 3  0 1 0 3  0 0 1 3' | clipscope clip --space clip --scalar exact --fraction
   echo '-4 0 0 4  4 0 0 4  0 2 0 4' | clipscope clip --space clip --viewport 8x8 --scissor 0,0,4,8
   echo '0 0 0 1 5  2 0 0 1 6  0 2 0 1 7' | clipscope clip --space clip --attributes 1 --flat 1
-  echo '0 0 0 1 7  2 0 0 1 -1  0 .5 0 1 7' | clipscope clip --space clip --attributes 1 --clip-distances 1
-  echo '1.1 0 0 1' | clipscope clip --space clip --primitive point --clipper pop_free --point-size 32 --viewport 256x256)";
+  echo '0 0 0 1 7  2 0 0 1 -1  0 .5 0 1 7' |
+    clipscope clip --space clip --attributes 1 --clip-distances 1
+  echo '1.1 0 0 1' | clipscope clip --space clip --primitive point --clipper pop_free \
+    --point-size 32 --viewport 256x256)";
 
 }  // namespace
 

@@ -201,7 +201,7 @@ int explain(const ExplainOptions& options) {
 void add_explain_command(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(
       app, action, explain, "explain",
-      "One primitive beside the exact answer, a triangle step by step in every space",
+      "One primitive beside the exact answer, step by step in every space",
       R"(What is explained is a primitive of a text (as for `clipscope clip`), a triangle of a scene:
 --scene, --view and --triangle, or a hard case of any primitive: --case. A projection is, for a
 scene, what its camera sees.

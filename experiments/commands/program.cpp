@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <memory>
 #include <new>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/machine/errors.hpp"
+#include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments::commands {
 namespace {
 
 constexpr const char* kAbout =
-    "clipscope: where should a triangle be clipped? Clippers in view space, homogeneous clip space and the canonical view volume, judged by an exact reference.";
+    R"(clipscope: where should a triangle be clipped? Clippers in view space, homogeneous clip space and
+the canonical view volume, judged by an exact reference.)";
 constexpr const char* kProgramFooter = R"(Examples:
   clipscope run                             all default experiments on the built-in scenes
   clipscope run --resume                    what an interrupted run has left undone
@@ -27,6 +31,17 @@ constexpr const char* kProgramFooter = R"(Examples:
 
 Exit codes: 0 done; 1 a promise is broken (verify), a figure moved (diff); 2 wrong option or name;
 3 bad input file or line; 4 results can't be written; 5 a check had nothing to judge.)";
+
+// Help whose descriptions of options are broken into lines.
+class Help : public CLI::Formatter {
+ public:
+  std::string make_option_desc(const CLI::Option* option) const override {
+    constexpr std::size_t kTextWidth = 100;  // terminal columns
+    const auto lines =
+        wrapped(CLI::Formatter::make_option_desc(option), kTextWidth - get_column_width());
+    return fmt::format("{}", fmt::join(lines, "\n"));
+  }
+};
 
 int say(const char* kind, const std::exception& error, int code) {
   fmt::print(stderr, "clipscope: {}{}\n", kind, error.what());
@@ -52,6 +67,7 @@ int run_action(const Action& action) {
 int run_program(int argc, char* argv[], const std::string& version) {
   CLI::App app(kAbout, "clipscope");
   app.set_version_flag("--version", version);
+  app.formatter(std::make_shared<Help>());  // of its commands, too
   app.footer(kProgramFooter);
   app.require_subcommand(0, 1);  // `run bounds` asks an experiment, and no second command
   Action action;

@@ -60,7 +60,8 @@ int render(const RenderOptions& options) {
 void add_render_command(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(
       app, action, render, "render", "Draw a scene with a clipper, and its error",
-      "PNG: the figure, with legend. EXR: picture, depth, texture coordinates, error and more as float channels.");
+      R"(PNG: the figure, with legend. EXR: picture, depth, texture coordinates, error and more as float
+channels.)");
   add_scene_options(command, options.selection);
   command.remove_option(command.get_option("--scene"));
   add_option(command, "--scene", options.scene, "NAME|FILE", "A built-in scene or a mesh file")

@@ -32,7 +32,7 @@ int run_sweep(const SweepOptions& options) {
 void add_sweep_command(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(
       app, action, run_sweep, "sweep",
-      "Very many triangles, random or an exhaustive lattice, through every clipper",
+      "Very many triangles, random or a whole lattice, through every clipper",
       R"(Random triangles give a lower bound of the worst error, a lattice all there is on it.
 Lattices: small (0.6 million classes of triangles), medium (2.7), full (53; about an hour).)");
   options.selection.scalars = {"float"};

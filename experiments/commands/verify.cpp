@@ -267,7 +267,7 @@ int verify(const VerifyOptions& options) {
 void add_verify_command(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(
       app, action, verify, "verify",
-      "Check a clipper's promises on every triangle of scenes or of the hard cases",
+      "Check a clipper's promises on every triangle of scenes or hard cases",
       R"(Exit code 0: the promise holds on every triangle that it speaks of; 1: it is broken, and the
 worst offender is printed as hex floats; 5: it speaks of none of the triangles, so nothing was
 judged. `clipscope list clippers` shows the promises.)");

@@ -24,12 +24,17 @@ TEST_CASE("cli: wrong options and names are usage errors, exit 2") {
 
 TEST_CASE("cli: help teaches and version tells") {
   const Folder folder;
-  for (const char* command : {"", "run", "report", "table", "diff", "compare", "verify", "clip",
-                              "explain", "render", "plan", "sweep", "paper", "list"}) {
+  for (const char* command :
+       {"", "run", "report", "table", "diff", "compare", "verify", "clip", "explain", "bounds",
+        "camera", "render", "plan", "sweep", "paper", "list"}) {
     const Result r = folder.run(std::string(command) + " --help");
     INFO(command);
     CHECK(r.code == 0);
     CHECK(r.out.size() > 200);
+    for (const std::string& line : lines(r.out)) {
+      INFO(line);
+      CHECK(line.size() <= 100);
+    }
     CHECK(contains(folder.run("--help").out, std::string("  ") + command));
   }
   CHECK(contains(folder.run("--version").out, "clipscope 0."));

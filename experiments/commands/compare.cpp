@@ -58,7 +58,7 @@ std::string leave_out_frustum_clippers(const Selection& selection, Contestants& 
     left_out.push_back(c->clipper);
     return true;
   });
-  left_out.erase(std::ranges::unique(left_out).begin(), left_out.end());
+  left_out.erase(std::unique(left_out.begin(), left_out.end()), left_out.end());
   if (contestants.empty()) {
     usage_error("--clipper: {} start from a frustum, so a --matrix is not applicable",
                 fmt::join(left_out, ", "));

@@ -41,15 +41,36 @@ std::vector<std::uint32_t> welded(const Mesh& mesh) {
 std::uint32_t first_vertex(const HalfEdge& side) { return side.ends[0]; }
 std::uint32_t first_vertex(const std::array<std::uint32_t, 3>& corners) { return corners[0]; }
 
-// All that for_each(f) calls f with, sorted: a counting sort by the first vertex, after which each
-// has few to be compared with.
+// Vertices [first, last).
+struct VertexRange {
+  std::size_t first, last;
+};
+
+// Calls f(range) with all vertices, some at once, so that what is sorted takes little memory.
+template <class F>
+void for_each_range(std::size_t vertices, const F& f) {
+  constexpr std::size_t kRange = std::size_t{1} << 18;
+  for (std::size_t first = 0; first < vertices; first += kRange) {
+    f(VertexRange{first, std::min(vertices, first + kRange)});
+  }
+}
+
+// Those that for_each(f) calls f with and whose first vertex is in the range, sorted: a counting
+// sort by that vertex, after which each has few to be compared with.
 template <class Item, class ForEach>
-std::vector<Item> sorted(std::size_t vertices, const ForEach& for_each) {
+std::vector<Item> sorted(const VertexRange& range, const ForEach& for_each) {
+  const std::size_t vertices = range.last - range.first;
   std::vector<std::size_t> end(vertices + 1);
-  for_each([&](const Item& item) { ++end[first_vertex(item) + 1]; });
+  const auto for_each_in_range = [&](const auto& f) {
+    for_each([&](const Item& item) {
+      const std::size_t v = first_vertex(item) - range.first;  // huge where it comes before
+      if (v < vertices) f(item, v);
+    });
+  };
+  for_each_in_range([&](const Item&, std::size_t v) { ++end[v + 1]; });
   std::partial_sum(end.begin(), end.end(), end.begin());
   std::vector<Item> items(end.back());
-  for_each([&](const Item& item) { items[end[first_vertex(item)]++] = item; });
+  for_each_in_range([&](const Item& item, std::size_t v) { items[end[v]++] = item; });
   std::size_t begin = 0;
   for (std::size_t v = 0; v < vertices; begin = end[v++]) {
     std::sort(items.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -60,18 +81,24 @@ std::vector<Item> sorted(std::size_t vertices, const ForEach& for_each) {
 
 std::int64_t count_repeated_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& vertex) {
   using Corners = std::array<std::uint32_t, 3>;
-  auto triangles = sorted<Corners>(vertex.size(), [&](const auto& f) {
+  const auto for_each_triangle = [&](const auto& f) {
     for (const auto& [a, b, c] : mesh.triangles) {
       Corners corners = {vertex[a], vertex[b], vertex[c]};
       std::ranges::sort(corners);
       f(corners);
     }
+  };
+  std::int64_t repeated = 0;
+  for_each_range(vertex.size(), [&](const VertexRange& range) {
+    auto triangles = sorted<Corners>(range, for_each_triangle);
+    repeated += triangles.end() - std::unique(triangles.begin(), triangles.end());
   });
-  return triangles.end() - std::unique(triangles.begin(), triangles.end());
+  return repeated;
 }
 
-std::vector<HalfEdge> half_edges_of(const Mesh& mesh, const std::vector<std::uint32_t>& vertex) {
-  return sorted<HalfEdge>(vertex.size(), [&](const auto& f) {
+std::vector<HalfEdge> half_edges_of(const Mesh& mesh, const std::vector<std::uint32_t>& vertex,
+                                    const VertexRange& range) {
+  return sorted<HalfEdge>(range, [&](const auto& f) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       for (int opposite = 0; opposite < 3; ++opposite) {
         const auto [i, j] = ends_of(opposite);
@@ -164,16 +191,20 @@ bool is_split(const Mesh& mesh, const OpenVertices& vertices, const std::vector<
 
 }  // namespace
 
-std::vector<HalfEdge> half_edges(const Mesh& mesh) { return half_edges_of(mesh, welded(mesh)); }
+std::vector<HalfEdge> half_edges(const Mesh& mesh) {
+  return half_edges_of(mesh, welded(mesh), {0, mesh.positions.size()});
+}
 
 MeshEdges edges_of(const Mesh& mesh) {
   const std::vector<std::uint32_t> vertex = welded(mesh);
   MeshEdges edges{.repeated_triangles = count_repeated_triangles(mesh, vertex)};
   std::vector<Ends> open;
-  for_each_edge(half_edges_of(mesh, vertex), [&](std::span<const HalfEdge> sides) {
-    ++edges.edges;
-    edges.crowded += sides.size() > 2;
-    if (sides.size() == 1) open.push_back(sides[0].ends);
+  for_each_range(vertex.size(), [&](const VertexRange& range) {
+    for_each_edge(half_edges_of(mesh, vertex, range), [&](std::span<const HalfEdge> sides) {
+      ++edges.edges;
+      edges.crowded += sides.size() > 2;
+      if (sides.size() == 1) open.push_back(sides[0].ends);
+    });
   });
   edges.open = static_cast<std::int64_t>(open.size());
   const OpenVertices vertices(mesh, open);

@@ -75,6 +75,22 @@ TEST_CASE("mesh edges: a third triangle at an edge, and a triangle given again, 
   CHECK(crack_text(edges) == "1 edge of more than two triangles; 1 triangle given again");
 }
 
+TEST_CASE("mesh edges: a mesh of more vertices than are sorted at once is counted whole") {
+  constexpr std::uint32_t n = 600;  // squares a side
+  std::vector<glm::dvec3> positions;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i) {
+    positions.emplace_back(i % (n + 1), i / (n + 1), 0);
+    if (i % (n + 1) == n || i / (n + 1) == n) continue;
+    triangles.push_back({i, i + 1, i + n + 2});
+    triangles.push_back({i, i + n + 2, i + n + 1});
+  }
+  const MeshEdges edges = edges_of(mesh_of(positions, triangles));
+  CHECK(edges.edges == 3 * n * n + 2 * n);
+  CHECK(edges.open == 4 * n);
+  CHECK_FALSE(edges.may_crack());
+}
+
 TEST_CASE("mesh edges: a mesh without triangles has none") { CHECK(edges_of({}).edges == 0); }
 
 }  // namespace clipscope::experiments

@@ -38,14 +38,27 @@ Entries entries_of(std::string_view text) {
   return entries;
 }
 
+// The numbers of a file. Errors: CLI::ValidationError that names the option.
+Entries entries_in(const std::string& file, const std::string& option) {
+  try {
+    const std::string content = read_bytes(file);
+    return entries_of(without_mark(file, content));
+  } catch (const InputError& error) {
+    throw CLI::ValidationError(option, error.what());
+  }
+}
+
 // Errors: CLI::ValidationError that names the option, what was given and what it takes.
 std::array<double, 16> parse_matrix(const std::string& option, const std::string& given) {
   std::error_code ignored;
   const bool is_file = std::filesystem::is_regular_file(given, ignored);
-  const Entries entries = entries_of(is_file ? read_bytes(given) : given);
+  const Entries entries = is_file ? entries_in(given, option) : entries_of(given);
   const std::string source = is_file ? "the file " + given : "'" + given + "'";
   const char* const expected =
       "16 numbers expected, separated by commas or blanks, or a FILE of them";
+  if (entries.bad_word == given) {
+    throw CLI::ValidationError(option, fmt::format("{} is no file; {}", source, expected));
+  }
   if (!entries.bad_word.empty()) {
     throw CLI::ValidationError(option, fmt::format("{} holds '{}', which is no number; {}", source,
                                                    entries.bad_word, expected));

@@ -106,6 +106,17 @@ std::string perspective_reason(const PlannedView& view) {
                      format_number(view.tolerance));
 }
 
+// "near plane, far plane (no vertex of what is left is outside); points (the scene has none)".
+std::string by_reason(std::span<const PlanLine* const> lines) {
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    text += (text.empty() ? "" : text.ends_with(')') ? "; " : ", ") + lines[i]->effect;
+    const bool goes_on = i + 1 < lines.size() && lines[i + 1]->because == lines[i]->because;
+    if (!goes_on) text += " (" + lines[i]->because + ")";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> needed_scene_names(const Selection& selection) {
@@ -203,13 +214,13 @@ Table plan_matrix(const std::string& scene, std::span<const PlannedView> views) 
   }
   columns.push_back({"because", "because"});
   Table table("plan", fmt::format("Effects that {} calls for, by view", scene), columns);
-  std::vector<std::string> uncalled;
+  std::vector<const PlanLine*> uncalled;
   for (std::size_t i = 0; i < lines[0].size(); ++i) {
     const auto most = std::ranges::max_element(
         lines, {}, [i](const std::vector<PlanLine>& of_view) { return of_view[i].rank; });
     const PlanLine& line = (*most)[i];
     if (line.rank == 0) {
-      uncalled.push_back(fmt::format("{} ({})", line.effect, line.because));
+      uncalled.push_back(&line);
       continue;
     }
     std::vector<Cell> cells = {line.effect};
@@ -217,9 +228,7 @@ Table plan_matrix(const std::string& scene, std::span<const PlannedView> views) 
     cells.emplace_back(line.because);
     table.add_row(std::move(cells));
   }
-  if (!uncalled.empty()) {
-    table.add_note(fmt::format("Called for by no view: {}.", fmt::join(uncalled, "; ")));
-  }
+  if (!uncalled.empty()) table.add_note("Called for by no view: " + by_reason(uncalled) + ".");
   return table;
 }
 

@@ -2,6 +2,7 @@
 //
 // A projection as people have it, as a user gives it: a matrix, intrinsics, a pose. Answers are
 // checked by hand.
+#include <algorithm>
 #include <string>
 
 #include "tests/catch.hpp"
@@ -69,6 +70,20 @@ TEST_CASE("matrix: polygons, segments and every scalar take one") {
   CHECK(contains(polygon.out, "0,0,2,1,0.5,0.5,0.25"));
 }
 
+TEST_CASE("matrix: a file of one may begin with a byte order mark, and UTF-16 is named") {
+  const Folder folder;
+  std::string rows = kRows;
+  std::ranges::replace(rows, ',', '\r');
+  const std::string file = folder.file("m.txt", "\xEF\xBB\xBF" + rows).string();
+  const Result r = folder.run("clip --matrix " + file, kCrossing);
+  CHECK(r.code == 0);
+  CHECK(r.out == folder.run(std::string("clip --matrix ") + kRows, kCrossing).out);
+  const std::string wide = folder.file("w.txt", std::string("\xFF\xFE\x31\0", 4)).string();
+  const Result utf16 = folder.run("clip --matrix " + wide, kCrossing);
+  CHECK(utf16.code == 2);
+  CHECK(contains(utf16.err, "UTF-16"));
+}
+
 TEST_CASE("matrix: what is wrong with one is named") {
   const Folder folder;
   const auto expect = [&](const std::string& arguments, const std::string& message) {
@@ -80,6 +95,7 @@ TEST_CASE("matrix: what is wrong with one is named") {
   };
   const std::string matrix = std::string(" --matrix ") + kRows;
   expect("clip --matrix 1,2,3", "3 numbers; 16 numbers expected");
+  expect("clip --matrix nowhere.txt", "'nowhere.txt' is no file; 16 numbers expected");
   expect("clip --matrix 1,0,0,0,0,1,0,0,0,0,-1,-2,0,0,-1,x", "'x', which is no number");
   expect("clip --matrix 1e300,0,0,0,0,1,0,0,0,0,-1,-2,0,0,-1,0", "inf in float");
   expect("clip --space clip" + matrix, "--matrix goes with --space view");

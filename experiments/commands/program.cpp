@@ -9,6 +9,7 @@
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/machine/errors.hpp"
+#include "experiments/table/terminal.hpp"
 #include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments::commands {
@@ -36,7 +37,6 @@ Exit codes: 0 done; 1 a promise is broken (verify), a figure moved (diff); 2 wro
 class Help : public CLI::Formatter {
  public:
   std::string make_option_desc(const CLI::Option* option) const override {
-    constexpr std::size_t kTextWidth = 100;  // terminal columns
     const auto lines =
         wrapped(CLI::Formatter::make_option_desc(option), kTextWidth - get_column_width());
     return fmt::format("{}", fmt::join(lines, "\n"));

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "experiments/store/run_recorder.hpp"
-#include "experiments/table/utf8.hpp"
+#include "experiments/table/terminal.hpp"
 
 namespace clipscope::experiments {
 
@@ -15,11 +15,6 @@ namespace {
 
 constexpr std::size_t kPrintedRows = 32;   // the files have them all
 constexpr std::size_t kPrintedFiles = 12;  // the page shows them all
-constexpr std::size_t kTextWidth = 100;    // terminal columns
-
-void print_lines(const std::string& text) {
-  for (const std::string& line : wrapped(text, kTextWidth - 2)) fmt::print("  {}\n", line);
-}
 
 }  // namespace
 
@@ -54,7 +49,7 @@ void ExperimentContext::emit(const Plot& plot) const {
 
 void ExperimentContext::finding(const std::string& sentence) const {
   recorder_->set_finding(sentence);
-  if (!selection_.json) print_lines(sentence);
+  if (!selection_.json) fmt::print("{}", indented(sentence));
 }
 
 std::optional<Table> ExperimentContext::emitted(const std::string& table_name) const {
@@ -70,8 +65,8 @@ void ExperimentContext::tell_files() const {
   if (selection_.json || names.empty()) return;
   const std::size_t more = names.size() > kPrintedFiles ? names.size() - kPrintedFiles : 0;
   names.resize(names.size() - more);
-  print_lines(fmt::format("in {}: {}{}", out_.string(), fmt::join(names, ", "),
-                          more > 0 ? fmt::format(" and {} more", more) : ""));
+  fmt::print("{}", indented(fmt::format("in {}: {}{}", out_.string(), fmt::join(names, ", "),
+                                        more > 0 ? fmt::format(" and {} more", more) : "")));
   std::fflush(stdout);
 }
 

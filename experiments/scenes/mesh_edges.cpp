@@ -178,8 +178,9 @@ bool is_split(const Mesh& mesh, const OpenVertices& vertices, const std::vector<
               const Ends& ends) {
   const glm::dvec3 a = point_of(mesh, ends[0]), b = point_of(mesh, ends[1]);
   const double r = rounding_of(a, b);
+  const std::vector<std::uint32_t> near_b = vertices.near(b, b, r);
   for (const std::uint32_t u : vertices.near(a, a, r)) {
-    for (const std::uint32_t v : vertices.near(b, b, r)) {
+    for (const std::uint32_t v : near_b) {
       const auto [low, high] = std::minmax(u, v);
       const Ends other = {low, high};
       if (u == v || other == ends || !std::ranges::binary_search(open, other)) continue;

@@ -12,12 +12,12 @@
 #include <utility>
 
 #include "experiments/table/table.hpp"
+#include "experiments/table/terminal.hpp"
 #include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
-constexpr std::size_t kTextWidth = 100;  // terminal columns
 constexpr std::size_t kGap = 2;
 
 // A column of the text. The key columns are the fewest leading ones with text that tell all rows
@@ -174,13 +174,13 @@ std::string text_of(const std::vector<const Shown*>& block) {
   return text;
 }
 
-std::string indented(const std::string& note) {
-  std::string text;
-  for (const std::string& line : wrapped(note, kTextWidth - 2)) text += "  " + line + "\n";
-  return text;
-}
-
 }  // namespace
+
+std::string indented(const std::string& text) {
+  std::string lines;
+  for (const std::string& line : wrapped(text, kTextWidth - 2)) lines += "  " + line + "\n";
+  return lines;
+}
 
 std::string Table::to_text(std::size_t most) const {
   Columns columns = columns_of(*this);

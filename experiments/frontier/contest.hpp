@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/frontier/pareto.hpp"
 #include "experiments/stage/stage_timing.hpp"
 #include "experiments/survey/batch_accuracy.hpp"
 #include "experiments/survey/contest_clock.hpp"
+#include "experiments/survey/pareto.hpp"
 
 namespace clipscope::experiments::frontier {
 

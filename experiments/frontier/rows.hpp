@@ -18,8 +18,6 @@
 
 namespace clipscope::experiments::frontier {
 
-constexpr std::array<std::string_view, 3> names_of(Standing) { return {"not timed", "yes", "no"}; }
-
 struct Place {
   Standing standing = Standing::unranked;
   std::optional<std::string> dominated_by;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/frontier/pareto.hpp"
+#include "experiments/survey/pareto.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-namespace clipscope::experiments::frontier {
+namespace clipscope::experiments {
 namespace {
 
 bool takes_part(const FrontierPoint& point) {
@@ -58,4 +58,4 @@ std::vector<std::size_t> frontier_steps(std::span<const FrontierPoint> points,
   return steps;
 }
 
-}  // namespace clipscope::experiments::frontier
+}  // namespace clipscope::experiments

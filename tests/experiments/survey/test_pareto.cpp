@@ -4,10 +4,10 @@
 #include <limits>
 #include <random>
 
-#include "experiments/frontier/pareto.hpp"
+#include "experiments/survey/pareto.hpp"
 #include "tests/catch.hpp"
 
-using namespace clipscope::experiments::frontier;
+using namespace clipscope::experiments;
 
 namespace {
 

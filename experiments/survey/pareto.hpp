@@ -18,14 +18,16 @@
 // Vectors", JACM 22(4), 1975; the interval for times is this project's.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "experiments/table/statistics.hpp"
 
-namespace clipscope::experiments::frontier {
+namespace clipscope::experiments {
 
 struct FrontierPoint {
   MedianInterval time;  // any unit, the same for all
@@ -37,6 +39,8 @@ enum class Standing {
   frontier,
   dominated
 };
+// What a column "on the frontier" says.
+constexpr std::array<std::string_view, 3> names_of(Standing) { return {"not timed", "yes", "no"}; }
 
 struct FrontierRank {
   Standing standing = Standing::unranked;
@@ -53,4 +57,4 @@ std::vector<FrontierRank> pareto_frontier(std::span<const FrontierPoint> points)
 std::vector<std::size_t> frontier_steps(std::span<const FrontierPoint> points,
                                         std::span<const FrontierRank> ranks);
 
-}  // namespace clipscope::experiments::frontier
+}  // namespace clipscope::experiments

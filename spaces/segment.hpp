@@ -20,11 +20,11 @@ namespace clipscope {
 template <class S>
 using SegmentIn = std::array<typename S::PointType, 2>;
 
-// planes()             the planes that clip outcode(p)           the bits of those of them that p
-// is outside of: by comparisons alone distance(plane, p)   signed distance form: > 0 inside, < 0
-// outside; 0, on the plane, is inside meet(plane, inside, outside, t)   the point at t from the
-// inside end, on the plane to the last bit
-//                                   where the space can say so
+//   planes()                 the planes that clip
+//   outcode(p)               the bits of those of them that p is outside of: by comparisons alone
+//   distance(plane, p)       signed distance form: > 0 inside, < 0 outside; 0, on it, is inside
+//   meet(plane, in, out, t)  the point at t from the inside end, on the plane to the last bit where
+//                            the space can say so
 template <class S>
 concept SegmentSpace = requires(const S space, const typename S::PointType& p,
                                 const typename S::ScalarType& t) {
@@ -33,6 +33,13 @@ concept SegmentSpace = requires(const S space, const typename S::PointType& p,
   { space.outcode(p) } -> std::same_as<Outcode>;
   { space.distance(Plane::left, p) } -> std::same_as<typename S::ScalarType>;
   { space.meet(Plane::left, p, p, t) } -> std::same_as<typename S::PointType>;
+};
+
+// A method for a space: what is left of a segment, in the order of the segment, or none.
+template <class M, class S>
+concept SegmentMethod = SegmentSpace<S> &&
+    requires(const M method, const S& space, const SegmentIn<S>& segment) {
+  { method(space, segment) } -> std::same_as<std::optional<SegmentIn<S>>>;
 };
 
 // Worst-case bounds of promises, in units of u M, as in clipper.hpp. One cut: 6 for t, 2 for b - a,

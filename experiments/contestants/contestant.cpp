@@ -9,7 +9,26 @@
 
 namespace clipscope::experiments {
 
+namespace {
+
+// Whether a batch is segments of the plane: between (x, y, 0, 1), with nothing but the window.
+bool is_plane(const Batch& batch) {
+  if (batch.space != Space::clip || batch.vertices != 2 || batch.matrix || !batch.planes.empty()) {
+    return false;
+  }
+  const std::size_t stride = batch.stride();
+  for (std::size_t vertex = 0; vertex < 2 * batch.size(); ++vertex) {
+    if (batch.number(vertex * stride + 2) != 0 || batch.number(vertex * stride + 3) != 1) {
+      return false;
+    }
+  }
+  return batch.attributes == 0 && batch.volume.clip_distances == 0;
+}
+
+}  // namespace
+
 bool Contestant::takes(const Batch& batch) const {
+  if (contract == Contract::plane) return is_plane(batch);
   ClipVolume volume = batch.volume;
   volume.clip_distances += static_cast<int>(batch.planes.size());
   const bool from_view = batch.space == Space::view && !batch.matrix;
@@ -24,7 +43,10 @@ std::span<const Contestant> all_contestants() {
       list.insert(list.end(), made.begin(), made.end());
     };
     for_each_type(AllScalars{}, [&]<class T>() { add(made_in<T>()); });
-    for (const auto& made : {made_of_cuts(), made_in_batches(), made_for_stages()}) add(made);
+    for (const auto& made :
+         {made_of_cuts(), made_in_plane(), made_in_batches(), made_for_stages()}) {
+      add(made);
+    }
     return list;
   }();
   return all;

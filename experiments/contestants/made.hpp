@@ -13,6 +13,7 @@ namespace clipscope::experiments {
 template <Scalar T>
 std::vector<Contestant> made_in();
 std::vector<Contestant> made_of_cuts();     // the steps before the divide, in float and double
+std::vector<Contestant> made_in_plane();    // of segments in the window, without depth
 std::vector<Contestant> made_in_batches();  // the batch clippers, under the full contract
 std::vector<Contestant> made_for_stages();  // scalar and batch clippers as stages
 

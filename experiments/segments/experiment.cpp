@@ -6,6 +6,7 @@
 #include "experiments/machine/machine.hpp"
 #include "experiments/machine/progress.hpp"
 #include "experiments/report/experiment.hpp"
+#include "experiments/segments/literature.hpp"
 #include "experiments/segments/rows.hpp"
 #include "experiments/store/piece_record.hpp"
 #include "experiments/survey/verdicts.hpp"
@@ -61,38 +62,110 @@ void add_rows(const Mix& mix, const Contestants& contestants, std::span<const Ta
   }
 }
 
-void run(const ExperimentContext& context) {
+// Through the contract, from view space to NDC.
+struct Mixes {
+  TableOf<TimeRow> times;
+  TableOf<OperationsRow> operations;
+};
+
+Mixes measure_mixes(const ExperimentContext& context) {
   const Selection& selection = context.selection();
   const Contestants contestants = contestants_of(selection.clipper, timed_scalars(selection));
   const Contestants counted =
       contestants_of(selection.clipper, {std::string(kFormat<Counted>.name)});
   const std::size_t size = selection.quick ? 2000 : 20000;    // segments of a mix
   const std::size_t judged = selection.sample_or(600, 8000);  // of these, in each view
-  TableOf<TimeRow> times;
-  TableOf<OperationsRow> operations;
-  TableOf<IntersectionRow> intersections;
+  Mixes tables;
   const std::vector<std::string> names = selection.scenes_or(builtin_mixes());
   Progress progress("segments", names.size());
   for (const std::string& name : names) {
-    context.piece(name, {&times, &operations}, [&](PieceRecord& record) {
+    context.piece(name, {&tables.times, &tables.operations}, [&](PieceRecord& record) {
       const Mix mix = load_mix(selection, name, size), sample = thinned(mix, judged);
       add_rows(mix, contestants, judge(sample, contestants),
-               time_clippers(mix, contestants, contest_clock(selection.quick)), times, record);
-      for (const OperationsRow& row : count_operations(sample, counted)) operations.add(row);
+               time_clippers(mix, contestants, contest_clock(selection.quick)), tables.times,
+               record);
+      for (const OperationsRow& row : count_operations(sample, counted)) tables.operations.add(row);
     });
     progress.advance();
   }
-  context.piece("intersection", {&intersections}, [&](PieceRecord&) {
-    for (const IntersectionRow& row : intersection_costs()) intersections.add(row);
+  tables.times.add_note(fmt::format("Seed {}; {} segments a mix, at most {} of each view judged.",
+                                    selection.seed, size, judged));
+  tables.times.add_note(machine_description());
+  return tables;
+}
+
+TableOf<IntersectionRow> count_intersections(const ExperimentContext& context) {
+  TableOf<IntersectionRow> table;
+  context.piece("intersection", {&table}, [&](PieceRecord&) {
+    for (const IntersectionRow& row : intersection_costs()) table.add(row);
   });
-  times.add_note(fmt::format("Seed {}; {} segments a mix, at most {} of each view judged.",
-                             selection.seed, size, judged));
-  times.add_note(machine_description());
-  context.emit(times, operations, intersections);
-  for (const Plot& plot : {time_plot(times.rows()), divisions_plot(operations.rows())}) {
+  return table;
+}
+
+TableOf<PlaneRow> measure_plane(const ExperimentContext& context) {
+  const Selection& selection = context.selection();
+  const Contestants contestants =
+      contestants_in(Contract::plane, selection.clipper, timed_scalars(selection));
+  const std::size_t size = selection.quick ? 2000 : 20000;
+  const std::size_t judged = selection.sample_or(400, 4000);
+  TableOf<PlaneRow> table;
+  if (contestants.empty()) return table;
+  Progress progress("segments in the plane", plane_mixes().size());
+  for (const std::string& name : plane_mixes()) {
+    context.piece("plane " + name, {&table}, [&](PieceRecord&) {
+      const ClipSegments mix = make_plane_mix(name, size, selection.seed);
+      for (const PlaneRow& row :
+           measure_in_plane(mix, contestants, judged, contest_clock(selection.quick))) {
+        table.add(row);
+      }
+    });
+    progress.advance();
+  }
+  table.add_note(fmt::format("Seed {}; {} segments a mix, {} judged and counted.", selection.seed,
+                             size, judged));
+  table.add_note(machine_description());
+  return table;
+}
+
+TableOf<HardRow> judge_hard_sets(const ExperimentContext& context) {
+  const Selection& selection = context.selection();
+  Contestants contestants;
+  for (const Contract contract : {Contract::plane, Contract::full}) {
+    for (const Contestant* c :
+         contestants_in(contract, selection.clipper, timed_scalars(selection))) {
+      contestants.push_back(c);
+    }
+  }
+  TableOf<HardRow> table;
+  Progress progress("hard sets of segments", hard_sets().size());
+  for (const std::string& name : hard_sets()) {
+    context.piece("hard " + name, {&table}, [&](PieceRecord&) {
+      const ClipSegments set = make_hard_set(name, selection.sample_or(500, 5000), selection.seed);
+      for (const HardRow& row : judge_hard_set(set, contestants)) table.add(row);
+    });
+    progress.advance();
+  }
+  return table;
+}
+
+void run(const ExperimentContext& context) {
+  const Mixes mixes = measure_mixes(context);
+  const TableOf<IntersectionRow> intersections = count_intersections(context);
+  const TableOf<PlaneRow> plane = measure_plane(context);
+  const TableOf<HardRow> hard = judge_hard_sets(context);
+  const auto& [times, operations] = mixes;
+  TableOf<SegmentFrontierRow> frontier;
+  for (const SegmentFrontierRow& row : segment_frontier(times.rows(), hard.rows())) {
+    frontier.add(row);
+  }
+  context.emit(times, operations, intersections, plane, hard, frontier);
+  for (const Plot& plot : {time_plot(times.rows()), divisions_plot(operations.rows()),
+                           frontier_plot(frontier.rows())}) {
     if (!plot.series.empty()) context.emit(plot);
   }
-  context.finding(finding(times.rows(), operations.rows(), intersections.rows()));
+  context.finding(fmt::format("{} {}",
+                              finding(times.rows(), operations.rows(), intersections.rows()),
+                              frontier_finding(frontier.rows())));
 }
 
 }  // namespace

@@ -196,6 +196,10 @@ Mix thinned(Mix mix, std::size_t limit) {
 Facts facts_of(const reference::Truth& truth, const SceneSegment& segment) {
   const std::array ends = {reference::input_vertex(segment[0]),
                            reference::input_vertex(segment[1])};
+  return facts_of(truth, ends);
+}
+
+Facts facts_of(const reference::Truth& truth, std::span<const reference::InputVertex, 2> ends) {
   Facts facts;
   std::array<bool, 2> outside = {false, false};
   for (const reference::Truth::HalfSpace& half_space : truth.half_spaces()) {

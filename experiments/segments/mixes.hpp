@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +62,7 @@ struct Facts {
   enum Kind { accepted, shortened, rejected } kind = rejected;
 };
 
+Facts facts_of(const reference::Truth& truth, std::span<const reference::InputVertex, 2> ends);
 Facts facts_of(const reference::Truth& truth, const SceneSegment& segment);
 
 }  // namespace clipscope::experiments::segments

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "experiments/claims/claim.hpp"
+#include "experiments/claims/ranking.hpp"
 #include "experiments/claims/rows.hpp"
 #include "experiments/machine/machine.hpp"
 #include "experiments/machine/progress.hpp"
@@ -16,6 +16,7 @@ namespace clipscope::experiments::claims {
 std::vector<Claim> all_claims() {
   std::vector<Claim> all = claims_about_cost();
   std::ranges::move(claims_about_geometry(), std::back_inserter(all));
+  std::ranges::move(claims_of_the_literature(), std::back_inserter(all));
   std::ranges::sort(all, {}, &Claim::number);
   return all;
 }
@@ -77,8 +78,9 @@ void run(const ExperimentContext& context) {
   }
   context.emit(table);
   context.finding(fmt::format(
-      "Of {} claims {} are confirmed, {} true only under a condition, {} refuted, {} undecided for want of figures.",
-      table.rows().size(), verdicts[0], verdicts[1], verdicts[2], verdicts[3]));
+      "Of {} claims {} are confirmed, {} true only under a condition, {} refuted, {} undecided for want of figures. {}",
+      table.rows().size(), verdicts[0], verdicts[1], verdicts[2], verdicts[3],
+      winners_text(table.rows())));
 }
 
 }  // namespace

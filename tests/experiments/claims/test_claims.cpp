@@ -4,7 +4,7 @@
 
 #include "experiments/accuracy/rows.hpp"
 #include "experiments/bounds/rows.hpp"
-#include "experiments/claims/claim.hpp"
+#include "experiments/claims/ranking.hpp"
 #include "experiments/cost/rows.hpp"
 #include "experiments/depth/rows.hpp"
 #include "experiments/frontier/rows.hpp"
@@ -13,7 +13,7 @@
 #include "experiments/perspective/rows.hpp"
 #include "experiments/pictures/rows.hpp"
 #include "experiments/plane_order/rows.hpp"
-#include "experiments/segments/rows.hpp"
+#include "experiments/segments/literature.hpp"
 #include "experiments/w_sign/rows.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/claims/fabricated.hpp"
@@ -186,6 +186,18 @@ void add_depth(Fabricated& run) {
 }
 
 // A run in which every claim is confirmed, each table as small as its judges allow.
+std::vector<segments::PlaneRow> plane_divisions() {
+  using R = segments::PlaneRow;
+  std::vector<R> rows;
+  for (const auto& [clipper, divisions] : {std::pair{"window/cohen_sutherland", 2.5},
+                                           {"window/liang_barsky", 3.0},
+                                           {"window/nicholl_lee_nicholl", 2.0}}) {
+    rows.push_back(
+        row_with<R>(&R::mix, "both_ends_out", &R::clipper, clipper, &R::divisions, divisions));
+  }
+  return rows;
+}
+
 Fabricated all_confirmed() {
   Fabricated run;
   run.set(costs());
@@ -197,6 +209,7 @@ Fabricated all_confirmed() {
   run.set<segments::TimeRow>({{"inside", "homogeneous/liang_barsky", "float", timing(10, 1)},
                               {"outside", "homogeneous/liang_barsky", "float", timing(10, 1)}});
   run.set(segment_operations());
+  run.set(plane_divisions());
   run.set<segments::IntersectionRow>(
       {{"any plane: n . (x - p) >= 0", {0, 6, 1}},
        {"side of the frustum in view space: near x + left z >= 0", {0, 4, 1}},
@@ -365,16 +378,34 @@ std::vector<Alteration> alterations_of_rounding() {
   };
 }
 
+std::vector<Alteration> alterations_of_literature() {
+  using Plane = segments::PlaneRow;
+  return {
+      {38,
+       altered(
+           +[](Plane& row) { row.divisions = 2.6; }, &Plane::clipper, "window/nicholl_lee_nicholl"),
+       kRefuted}};
+}
+
 std::vector<Alteration> alterations() {
   std::vector<Alteration> all = alterations_of_cost();
+  for (const Alteration& a : alterations_of_literature()) all.push_back(a);
   for (const Alteration& a : alterations_of_geometry()) all.push_back(a);
   for (const Alteration& a : alterations_of_rounding()) all.push_back(a);
   return all;
 }
 
-TEST_CASE("claims: there are 33, numbered in order, each with a statement and an experiment") {
+// Those that test_ranking.cpp gives figures to: no run confirms all of them, since they name
+// several as the fastest.
+std::set<int> rankings() {
+  std::set<int> numbers;
+  for (const Ranking& ranking : published_rankings()) numbers.insert(ranking.number);
+  return numbers;
+}
+
+TEST_CASE("claims: they are numbered in order, each with a statement and an experiment") {
   const std::vector<Claim> claims = all_claims();
-  REQUIRE(claims.size() == 33);
+  REQUIRE(claims.size() > 33);
   for (std::size_t i = 0; i < claims.size(); ++i) {
     CHECK(claims[i].number == static_cast<int>(i) + 1);
     CHECK_FALSE(claims[i].statement.empty());
@@ -385,6 +416,7 @@ TEST_CASE("claims: there are 33, numbered in order, each with a statement and an
 TEST_CASE("claims: figures in favour confirm every claim") {
   const Results results = all_confirmed().results();
   for (const Claim& claim : all_claims()) {
+    if (rankings().contains(claim.number)) continue;
     INFO("claim " << claim.number << ": " << judge(claim, results).because);
     CHECK(judge(claim, results).verdict == kConfirmed);
   }
@@ -403,7 +435,7 @@ TEST_CASE("claims: altered figures change the verdict") {
 }
 
 TEST_CASE("claims: every claim has a figure that changes its verdict") {
-  std::set<int> altered;
+  std::set<int> altered = rankings();
   for (const Alteration& a : alterations()) altered.insert(a.claim);
   CHECK(altered.size() == all_claims().size());
 }

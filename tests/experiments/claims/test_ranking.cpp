@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Published rankings are judged by the times alone.
+#include "experiments/claims/ranking.hpp"
+#include "experiments/cost/rows.hpp"
+#include "experiments/segments/literature.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/claims/fabricated.hpp"
+
+namespace clipscope::experiments::claims {
+namespace {
+
+Timing timing(double speedup) {
+  Timing t;
+  t.ns = {100 / speedup, 100 / speedup, 100 / speedup};
+  t.speedup = {speedup, speedup * 0.99, speedup * 1.01};
+  return t;
+}
+
+// The winner so many times as fast as every other on each of the mixes.
+template <class MixRow>
+Fabricated times_of(const Ranking& ranking,
+                    const std::vector<std::pair<std::string, double>>& mixes) {
+  std::vector<MixRow> rows;
+  const auto add = [&](const std::string& mix, std::string_view clipper, double speedup) {
+    rows.push_back(row_with<MixRow>(&MixRow::mix, mix, &MixRow::clipper, clipper, &MixRow::scalar,
+                                    "float", &MixRow::timing, timing(speedup)));
+  };
+  for (const auto& [mix, times] : mixes) {
+    add(mix, ranking.method, 2 * times);
+    for (const std::string_view other : ranking.others) add(mix, other, 2);
+  }
+  Fabricated run;
+  run.set(rows);
+  return run;
+}
+
+Fabricated fabricated(const Ranking& ranking,
+                      const std::vector<std::pair<std::string, double>>& mixes) {
+  switch (ranking.field) {
+    case Field::plane: return times_of<segments::PlaneRow>(ranking, mixes);
+    case Field::segments: return times_of<segments::TimeRow>(ranking, mixes);
+    default: return times_of<cost::Row>(ranking, mixes);
+  }
+}
+
+Judgement judged(const Ranking& ranking, double in_box, double inside) {
+  return judge(ranking, fabricated(ranking, {{"box_2", in_box}, {"inside", inside}}).results());
+}
+
+}  // namespace
+
+TEST_CASE(
+    "rankings: a winner that wins by enough everywhere is confirmed, somewhere or nowhere not") {
+  for (const Ranking& ranking : published_rankings()) {
+    INFO("claim " << ranking.number);
+    const double enough = ranking.times_as_fast * 1.1, little = ranking.times_as_fast * 0.9;
+    CHECK(judged(ranking, enough, enough).verdict == Verdict::confirmed);
+    const Judgement mixed = judged(ranking, enough, little);
+    CHECK(mixed.verdict == Verdict::conditional);
+    CHECK(mixed.because.find("The mix is box_2.") != std::string::npos);
+    CHECK(judged(ranking, little, little).verdict == Verdict::refuted);
+  }
+}
+
+TEST_CASE("rankings: a lead within the intervals is none") {
+  for (const Ranking& ranking : published_rankings()) {
+    const double bare = ranking.times_as_fast * 1.005;
+    CHECK(judged(ranking, bare, bare).verdict == Verdict::refuted);
+  }
+}
+
+TEST_CASE("rankings: in the plane the papers' boxes and mixes of one kind are told apart") {
+  const Ranking ranking = published_rankings().front();
+  REQUIRE(ranking.field == Field::plane);
+  CHECK(judged(ranking, 3, 0.5).because.find("on 1 of 1 boxes") != std::string::npos);
+  CHECK(judged(ranking, 3, 0.5).because.find("on 0 of 1 mixes of one kind") != std::string::npos);
+}
+
+TEST_CASE(
+    "rankings: nobody competes with himself, and every claim of the literature has a number") {
+  for (const Ranking& ranking : published_rankings()) {
+    CHECK_FALSE(ranking.others.empty());
+    for (const std::string_view other : ranking.others) CHECK(other != ranking.method);
+    CHECK(ranking.times_as_fast >= 1);
+  }
+}
+
+TEST_CASE("rankings: winners are counted by what became of their claims") {
+  std::vector<Row> claims;
+  for (const Ranking& ranking : published_rankings()) {
+    claims.push_back({ranking.number, "", Verdict::refuted, "", ""});
+  }
+  claims[0].verdict = Verdict::confirmed;
+  claims[1].verdict = Verdict::conditional;
+  const std::string text = winners_text(claims);
+  CHECK(text.find(fmt::format("Of {} published rankings", claims.size())) != std::string::npos);
+  CHECK(text.find("everywhere in 1, on some mixes in 1, nowhere in") != std::string::npos);
+  CHECK(winners_text({}).empty());
+}
+
+}  // namespace clipscope::experiments::claims

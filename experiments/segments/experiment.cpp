@@ -6,6 +6,7 @@
 #include "experiments/machine/machine.hpp"
 #include "experiments/machine/progress.hpp"
 #include "experiments/report/experiment.hpp"
+#include "experiments/segments/convex_windows.hpp"
 #include "experiments/segments/rows.hpp"
 #include "experiments/store/piece_record.hpp"
 #include "experiments/survey/verdicts.hpp"
@@ -61,6 +62,30 @@ void add_rows(const Mix& mix, const Contestants& contestants, std::span<const Ta
   }
 }
 
+// The contest in a convex window, a piece for each number of edges; returns its finding.
+std::string run_convex(const ExperimentContext& context) {
+  const Selection& selection = context.selection();
+  const std::size_t size = selection.quick ? 2000 : 20000;
+  const std::size_t judged = selection.sample_or(60, 1000);
+  TableOf<ConvexRow> table;
+  for (const int edges : kConvexEdges) {
+    context.piece(fmt::format("convex_{}", edges), {&table}, [&](PieceRecord& record) {
+      const ConvexCase input = make_convex_case(edges, size, selection.seed);
+      for (const ConvexRow& row : measure_convex(input, judged, contest_clock(selection.quick))) {
+        table.add(row);
+        if (!row.timing) continue;
+        record.add(fmt::format("convex {} {}", edges, row.method), *row.timing, "segment");
+      }
+    });
+  }
+  table.add_note(fmt::format("Seed {}; {} segments, {} judged.", selection.seed, size, judged));
+  table.add_note(machine_description());
+  context.emit(table);
+  const Plot plot = convex_plot(table.rows());
+  if (!plot.series.empty()) context.emit(plot);
+  return convex_finding(table.rows());
+}
+
 void run(const ExperimentContext& context) {
   const Selection& selection = context.selection();
   const Contestants contestants = contestants_of(selection.clipper, timed_scalars(selection));
@@ -92,7 +117,9 @@ void run(const ExperimentContext& context) {
   for (const Plot& plot : {time_plot(times.rows()), divisions_plot(operations.rows())}) {
     if (!plot.series.empty()) context.emit(plot);
   }
-  context.finding(finding(times.rows(), operations.rows(), intersections.rows()));
+  context.finding(fmt::format("{} {}",
+                              finding(times.rows(), operations.rows(), intersections.rows()),
+                              run_convex(context)));
 }
 
 }  // namespace

@@ -9,9 +9,12 @@
 #include "spaces/barycentric/distance_matrix.hpp"
 #include "spaces/cvv/cohen_sutherland.hpp"
 #include "spaces/cvv/liang_barsky.hpp"
+#include "spaces/cvv/skala_polyhedron.hpp"
 #include "spaces/cvv/sutherland_hodgman.hpp"
+#include "spaces/homogeneous/blinn.hpp"
 #include "spaces/homogeneous/blinn_newell.hpp"
 #include "spaces/homogeneous/cohen_sutherland.hpp"
+#include "spaces/homogeneous/cyrus_beck.hpp"
 #include "spaces/homogeneous/guard_band.hpp"
 #include "spaces/homogeneous/liang_barsky.hpp"
 #include "spaces/homogeneous/pipeline.hpp"
@@ -50,6 +53,9 @@ using AllClippers = TriangleClippers<ViewAndClip<Textbook>,                     
 
 // Clippers of segments.
 using AllSegmentClippers = SegmentClippers<ViewOnly<ViewCyrusBeck>,                          //
+                                           ViewOnly<ViewCyrusBeckUnitNormals>,               //
+                                           ViewAndClip<HomogeneousCyrusBeck>,                //
+                                           ViewAndClip<HomogeneousBlinn>,                    //
                                            ViewAndClip<HomogeneousCohenSutherland>,          //
                                            ViewAndClip<HomogeneousLiangBarsky>,              //
                                            ViewAndClip<HomogeneousLiangBarskyDivisionFree>,  //
@@ -57,6 +63,7 @@ using AllSegmentClippers = SegmentClippers<ViewOnly<ViewCyrusBeck>,             
                                            ViewAndClip<CvvLiangBarsky>,                      //
                                            ViewAndClip<CvvLiangBarskyDivisionFree>,          //
                                            ViewAndClip<CvvLiangBarskyNaive>,                 //
+                                           ViewAndClip<CvvSkalaPolyhedron>,                  //
                                            ViewAndClip<WindowCohenSutherland>,               //
                                            ViewAndClip<WindowLiangBarsky>,                   //
                                            ViewAndClip<WindowLiangBarskyDivisionFree>,       //

@@ -15,13 +15,12 @@
 // Source: Liang and Barsky, "A New Concept and Method for Line Clipping", ACM TOG 3(1), 1984; the
 // same in homogeneous coordinates: section 5 there, and Blinn, "A Trip Down the Graphics Pipeline:
 // Line Clipping", IEEE CG&A 11(1), 1991. Comparing products: this project.
-// Parameters are measured from the end that is kept, not from the first end, so a segment and its
-// reverse give the same bits, and a segment cut by one plane those of a polygon's edge.
 // Does not guarantee: that when_shortened never divides more: where products leave the scalar's
 // range it compares quotients.
 #pragma once
 
 #include "spaces/binding_plane.hpp"
+#include "spaces/parametric_bounds.hpp"
 
 namespace clipscope {
 
@@ -42,58 +41,18 @@ struct LiangBarsky {
   }
 
  private:
-  // The plane that moves an end, and how much of the segment it leaves, from the other end: t >= 1
-  // moves nothing.
-  template <class T>
-  struct Bound {
-    Plane plane = Plane::left;
-    T t = T(1);
-
-    constexpr bool moves() const { return t < T(1); }
-  };
-
   template <class S, class T>
   static constexpr std::optional<SegmentIn<S>> by_quotients(const S& space,
                                                             const SegmentIn<S>& segment) {
-    std::array<Bound<T>, 2> bounds;  // of the first end and of the second
+    ParametricBounds<T> bounds;
     bool visible = true;
     for_each_plane(space.planes(), kAllPlanes, [&](Plane plane) {
       if (!visible) return;
-      const T d_first = space.distance(plane, segment[0]);
-      const T d_second = space.distance(plane, segment[1]);
-      if (d_first < d_second) {
-        visible = tighten(bounds[0], plane, d_second, d_first) && overlap(bounds);
-      } else if (d_second < d_first) {
-        visible = tighten(bounds[1], plane, d_first, d_second) && overlap(bounds);
-      } else {
-        visible = T(0) <= d_first && T(0) <= d_second;
-      }
+      visible =
+          bounds.cut(plane, space.distance(plane, segment[0]), space.distance(plane, segment[1]));
     });
     if (!visible) return std::nullopt;
-    SegmentIn<S> ends = segment;
-    if (bounds[0].moves()) {
-      ends[0] = space.meet(bounds[0].plane, segment[1], segment[0], bounds[0].t);
-    }
-    if (bounds[1].moves()) {
-      ends[1] = space.meet(bounds[1].plane, segment[0], segment[1], bounds[1].t);
-    }
-    return ends;
-  }
-
-  // d_kept > d_cut, of any sign. Returns whether more than a point can be inside.
-  template <class T>
-  static constexpr bool tighten(Bound<T>& bound, Plane plane, const T& d_kept, const T& d_cut) {
-    const T t = cut_parameter(d_kept, d_cut);
-    if (!(T(0) < t)) return false;
-    if (t < bound.t) bound = {plane, t};
-    return true;
-  }
-
-  // Whether the ends, as moved, still come in their order. Where one end stays nothing can go
-  // wrong; and 1 + t would lose a small t.
-  template <class T>
-  static constexpr bool overlap(const std::array<Bound<T>, 2>& bounds) {
-    return !bounds[0].moves() || !bounds[1].moves() || T(1) < bounds[0].t + bounds[1].t;
+    return bounds.move_ends(space, segment);
   }
 
   template <class S, class T>

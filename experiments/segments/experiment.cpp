@@ -6,6 +6,7 @@
 #include "experiments/machine/machine.hpp"
 #include "experiments/machine/progress.hpp"
 #include "experiments/report/experiment.hpp"
+#include "experiments/segments/convex_windows.hpp"
 #include "experiments/segments/literature.hpp"
 #include "experiments/segments/rows.hpp"
 #include "experiments/store/piece_record.hpp"
@@ -148,6 +149,30 @@ TableOf<HardRow> judge_hard_sets(const ExperimentContext& context) {
   return table;
 }
 
+// The contest in a convex window, a piece for each number of edges; returns its finding.
+std::string run_convex(const ExperimentContext& context) {
+  const Selection& selection = context.selection();
+  const std::size_t size = selection.quick ? 2000 : 20000;
+  const std::size_t judged = selection.sample_or(60, 1000);
+  TableOf<ConvexRow> table;
+  for (const int edges : kConvexEdges) {
+    context.piece(fmt::format("convex_{}", edges), {&table}, [&](PieceRecord& record) {
+      const ConvexCase input = make_convex_case(edges, size, selection.seed);
+      for (const ConvexRow& row : measure_convex(input, judged, contest_clock(selection.quick))) {
+        table.add(row);
+        if (!row.timing) continue;
+        record.add(fmt::format("convex {} {}", edges, row.method), *row.timing, "segment");
+      }
+    });
+  }
+  table.add_note(fmt::format("Seed {}; {} segments, {} judged.", selection.seed, size, judged));
+  table.add_note(machine_description());
+  context.emit(table);
+  const Plot plot = convex_plot(table.rows());
+  if (!plot.series.empty()) context.emit(plot);
+  return convex_finding(table.rows());
+}
+
 void run(const ExperimentContext& context) {
   const Mixes mixes = measure_mixes(context);
   const TableOf<IntersectionRow> intersections = count_intersections(context);
@@ -163,9 +188,9 @@ void run(const ExperimentContext& context) {
                            frontier_plot(frontier.rows())}) {
     if (!plot.series.empty()) context.emit(plot);
   }
-  context.finding(fmt::format("{} {}",
+  context.finding(fmt::format("{} {} {}",
                               finding(times.rows(), operations.rows(), intersections.rows()),
-                              frontier_finding(frontier.rows())));
+                              frontier_finding(frontier.rows()), run_convex(context)));
 }
 
 }  // namespace

@@ -38,8 +38,7 @@ class CvvSegmentSpace {
     return r;
   }
 
- private:
-  // The coordinate that is the same everywhere on the plane.
+  // The coordinate that is the same everywhere on one of the six planes.
   constexpr T coordinate(Plane plane) const {
     switch (plane) {
       case Plane::left:
@@ -52,6 +51,7 @@ class CvvSegmentSpace {
     }
   }
 
+ private:
   ClipVolume volume_;
   Outcode planes_;
 };

@@ -5,26 +5,42 @@
 // Every plane of a convex volume gives the parameter where the segment's line crosses it; the
 // largest of those where it enters and the smallest of those where it leaves bound what is visible.
 // All planes are visited and divided for; whether anything is visible is asked once, at the end.
+// The policy is how the planes are had:
+//
+//   view/cyrus_beck               unnormalised forms, from the frustum's numbers at each use
+//   view/cyrus_beck_unit_normals  equations with normals of length 1, computed once per view: as
+//                                 the paper has them; for scalars with a square root
+//
 // Source: Cyrus and Beck, "Generalized Two- and Three-Dimensional Clipping", Computers & Graphics
 // 3(1), 1978.
-// Parameters are measured from the end that is kept, so a segment and its reverse give the same
-// bits. Does not guarantee: NDC coordinates within [-1, 1]: a new end lies on its plane in view
+// Guarantees: a segment and its reverse give the same bits: parameters are measured from the end
+// that is kept.
+// Does not guarantee: NDC coordinates within [-1, 1]: a new end lies on its plane in view
 // space up to rounding, and is rounded again by the projection and the divide.
 #pragma once
 
 #include "spaces/segment.hpp"
+#include "spaces/view/plane_form.hpp"
 
 namespace clipscope {
 
-struct ViewCyrusBeck {
-  static constexpr std::string_view name = "view/cyrus_beck";
+template <PlaneForm kForm>
+struct ViewCyrusBeckWith {
+  static constexpr bool kUnit = kForm == PlaneForm::unit_normals;
+  static constexpr std::string_view name =
+      kUnit ? "view/cyrus_beck_unit_normals" : "view/cyrus_beck";
   static constexpr std::string_view summary =
-      "Cyrus-Beck in view space against the frustum planes, then project and divide";
+      kUnit ? "the same against planes with unit normals, computed once per view"
+            : "Cyrus-Beck in view space against the frustum planes, then project and divide";
   static constexpr std::string_view source =
       "Cyrus and Beck, Generalized Two- and Three-Dimensional Clipping, 1978";
-  static constexpr Promise promise{.ulps = kProjectUlps + kParametricUlps, .watertight = true};
+  // A unit normal has three roundings more than the form without, for the plane that cuts and for
+  // the one that may be taken in its place.
+  static constexpr Promise promise{.ulps = kProjectUlps + kParametricUlps + (kUnit ? 2 * 4 : 0),
+                                   .watertight = true};
 
   template <Scalar T, int K>
+  requires kPlaneFormExistsIn<kForm, T>
   constexpr void operator()(const Projection<T>& projection, const ViewSegment<T, K>& segment,
                             NdcPolygon<T, K>& out) const {
     out.clear();
@@ -55,8 +71,8 @@ struct ViewCyrusBeck {
                                             const ViewSegment<T, K>& segment) {
     Parameters<T> kept;
     for_each_plane(planes_of(projection.volume), kAllPlanes, [&](Plane plane) {
-      const T d_first = signed_distance(projection.frustum, plane, segment[0]);
-      const T d_second = signed_distance(projection.frustum, plane, segment[1]);
+      const T d_first = signed_distance<kForm>(projection, plane, segment[0]);
+      const T d_second = signed_distance<kForm>(projection, plane, segment[1]);
       if (d_first < d_second) {
         tighten(kept.of_first, cut_parameter(d_second, d_first));
       } else if (d_second < d_first) {
@@ -74,5 +90,8 @@ struct ViewCyrusBeck {
     if (!(kept <= t)) kept = larger(T(0), t);
   }
 };
+
+using ViewCyrusBeck = ViewCyrusBeckWith<PlaneForm::unnormalised>;
+using ViewCyrusBeckUnitNormals = ViewCyrusBeckWith<PlaneForm::unit_normals>;
 
 }  // namespace clipscope

@@ -20,12 +20,9 @@
 
 #include "spaces/clipper.hpp"
 #include "spaces/cut.hpp"
-#include "spaces/planes.hpp"
-#include "spaces/products.hpp"
+#include "spaces/view/plane_form.hpp"
 
 namespace clipscope {
-
-enum class PlaneForm { unnormalised, exact_sign, unit_normals };
 
 template <PlaneForm kForm>
 struct ViewSutherlandHodgmanWith {
@@ -45,13 +42,8 @@ struct ViewSutherlandHodgmanWith {
   static constexpr Promise promise{
       .ulps = kForm == PlaneForm::unit_normals ? kChainUlps + kPlanes * 4 : kChainUlps};
 
-  template <class T>
-  static constexpr bool kExistsIn = kForm == PlaneForm::unit_normals ? HasSquareRoot<T>
-                                    : kForm == PlaneForm::exact_sign ? HasSumOfProducts<T>
-                                                                     : true;
-
   template <Scalar T, int K>
-  requires kExistsIn<T>
+  requires kPlaneFormExistsIn<kForm, T>
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
     const OutcodeSummary code = outcodes(projection, triangle);
@@ -67,7 +59,7 @@ struct ViewSutherlandHodgmanWith {
   }
 
   template <Scalar T, int K>
-  requires kExistsIn<T>
+  requires kPlaneFormExistsIn<kForm, T>
   static constexpr ViewPolygon<T, K> cut(const Projection<T>& projection,
                                          const ViewTriangle<T, K>& triangle) {
     const OutcodeSummary code = outcodes(projection, triangle);
@@ -84,17 +76,6 @@ struct ViewSutherlandHodgmanWith {
   }
 
  private:
-  template <Scalar T>
-  static constexpr T distance(const Projection<T>& projection, Plane plane, const Vec3<T>& v) {
-    if constexpr (kForm == PlaneForm::exact_sign) {
-      return exact_sign_view_distance(projection.frustum, plane, v);
-    } else if constexpr (kForm == PlaneForm::unit_normals) {
-      return user_plane_distance(projection.unit_planes[static_cast<std::size_t>(plane)], v);
-    } else {
-      return view_distance(projection.frustum, plane, v);
-    }
-  }
-
   template <Scalar T, int K>
   static constexpr OutcodeSummary outcodes(const Projection<T>& projection,
                                            const ViewTriangle<T, K>& triangle) {
@@ -107,7 +88,7 @@ struct ViewSutherlandHodgmanWith {
   static constexpr Outcode position_outcode(const Projection<T>& projection, const Vec3<T>& v) {
     Outcode code = 0;
     for (const Plane plane : kAllPlanes) {
-      if (!(T(0) <= distance(projection, plane, v))) code |= bit(plane);
+      if (!(T(0) <= view_distance<kForm>(projection, plane, v))) code |= bit(plane);
     }
     return code;
   }
@@ -118,8 +99,7 @@ struct ViewSutherlandHodgmanWith {
                                                        Outcode planes, ViewPolygon<T, K>& polygon,
                                                        ViewPolygon<T, K>& scratch) {
     const auto plane_distance = [&](Plane plane, const ViewVertex<T, K>& v) {
-      if (is_clip_distance(plane)) return v.attributes[clip_distance_index(plane)];
-      return distance(projection, plane, v.position);
+      return signed_distance<kForm>(projection, plane, v);
     };
     return cut_by_planes(polygon, scratch, planes, kAllPlanes, plane_distance);
   }

@@ -2,7 +2,9 @@
 //
 // What the segment methods cost in operations: divisions above all.
 #include "spaces/cohen_sutherland.hpp"
-#include "spaces/homogeneous/segment_space.hpp"
+#include "spaces/cvv/skala_polyhedron.hpp"
+#include "spaces/cyrus_beck.hpp"
+#include "spaces/homogeneous/blinn.hpp"
 #include "spaces/liang_barsky.hpp"
 #include "tests/catch.hpp"
 #include "tests/spaces/segments.hpp"
@@ -67,6 +69,42 @@ TEST_CASE("segment costs: classical Liang-Barsky divides for planes that shorten
   CHECK(cost_in_clip_space<Method>(kInside).counts.divisions == 6);
   CHECK(cost_in_clip_space<Method>(kOneEndOut).counts.divisions == 6);
   CHECK(cost_in_clip_space<Method>(kPastAnEdge).counts.divisions > 0);
+}
+
+TEST_CASE("segment costs: Blinn's outcodes settle free, each plane between the ends divides once") {
+  using Method = BlinnLines;
+  for (const Ends& ends : {kInside, kOutsideOnePlane}) {
+    const OperationCounts counts = cost_in_clip_space<Method>(ends).counts;
+    CHECK(counts.divisions + counts.multiplications == 0);
+  }
+  CHECK(cost_in_clip_space<Method>(kOneEndOut).counts.divisions == 1);
+  CHECK(cost_in_clip_space<Method>(kBothEndsOut).counts.divisions == 2);
+  CHECK(cost_in_clip_space<Method>(kThreePlanes).counts.divisions == 3);
+  CHECK_FALSE(cost_in_clip_space<Method>(kPastAnEdge).visible);
+}
+
+TEST_CASE("segment costs: Cyrus-Beck in clip space divides for every plane, multiplies for none") {
+  for (const Ends& ends : {kInside, kOneEndOut, kOutsideOnePlane, kThreePlanes}) {
+    const OperationCounts counts = cost_in_clip_space<CyrusBeck>(ends).counts;
+    CHECK(counts.divisions == 6);
+  }
+}
+
+TEST_CASE("segment costs: Skala's two planes leave two facets to divide for, or none") {
+  const CvvSegmentSpace<Counted, K> space{ClipVolume{}};
+  const auto cut_divisions = [&](const Ends& ends) {
+    const auto segment = clip_segment<Counted>(ends);
+    const std::array<NdcVertex<Counted, K>, 2> divided = {to_ndc(segment[0]), to_ndc(segment[1])};
+    operation_counts() = {};
+    const bool visible = SkalaPolyhedron{}(space, divided).has_value();
+    const std::uint64_t divisions = operation_counts().divisions;
+    // One more for the attributes of each new end, where something is visible.
+    return std::pair(visible, divisions);
+  };
+  CHECK(cut_divisions(kInside) == std::pair(true, std::uint64_t{2}));
+  CHECK(cut_divisions(kOneEndOut) == std::pair(true, std::uint64_t{3}));
+  CHECK(cut_divisions(kBothEndsOut) == std::pair(true, std::uint64_t{4}));
+  CHECK(cut_divisions({{{3, 0, 0, 1}, {0, 5, 0, 1}}}) == std::pair(false, std::uint64_t{0}));
 }
 
 TEST_CASE("segment costs: Cohen-Sutherland accepts and rejects free, and repeats work to shorten") {

@@ -152,7 +152,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("segment promises: Cyrus-Beck keeps its bound in view space") {
+TEMPLATE_TEST_CASE("segment promises: Cyrus-Beck keeps its bound in view space", "", ViewCyrusBeck,
+                   ViewCyrusBeckUnitNormals) {
   std::mt19937_64 random(42);
   const Frustum<double> frustum{.left = -0.5, .right = 1, .near = 0.5, .far = 20};
   const Projection<N> exact(frustum_cast<N>(frustum));
@@ -169,8 +170,8 @@ TEST_CASE("segment promises: Cyrus-Beck keeps its bound in view space") {
     }
     const double unit = experiments::kFormat<float>.unit_roundoff() * largest;
     NdcPolygon<float, K> out;
-    ViewCyrusBeck{}(projection, view_segment<float>(ends), out);
-    const double found = error(input, out, ViewCyrusBeck::promise.ulps * unit) / unit;
-    CHECK(found <= ViewCyrusBeck::promise.ulps);
+    TestType{}(projection, view_segment<float>(ends), out);
+    const double found = error(input, out, TestType::promise.ulps * unit) / unit;
+    CHECK(found <= TestType::promise.ulps);
   }
 }

@@ -13,7 +13,10 @@
 #include "spaces/homogeneous/blinn_newell.hpp"
 #include "spaces/homogeneous/cohen_sutherland.hpp"
 #include "spaces/homogeneous/guard_band.hpp"
+#include "spaces/homogeneous/interpolation.hpp"
 #include "spaces/homogeneous/liang_barsky.hpp"
+#include "spaces/homogeneous/mcguire.hpp"
+#include "spaces/homogeneous/opposite_planes.hpp"
 #include "spaces/homogeneous/pipeline.hpp"
 #include "spaces/homogeneous/sutherland_hodgman.hpp"
 #include "spaces/homogeneous/textbook.hpp"
@@ -40,6 +43,11 @@ using AllClippers = TriangleClippers<ViewAndClip<Textbook>,                     
                                      ViewAndClip<HomogeneousPipeline>,                         //
                                      ViewAndClip<BlinnNewell>,                                 //
                                      ViewAndClip<HomogeneousGuardBand>,                        //
+                                     ViewAndClip<HomogeneousMcGuire>,                          //
+                                     ViewAndClip<HomogeneousFromOutside>,                      //
+                                     ViewAndClip<HomogeneousWeightedEnds>,                     //
+                                     ViewAndClip<HomogeneousNearerEnd>,                        //
+                                     ViewAndClip<HomogeneousOppositePlanes>,                   //
                                      ViewAndClip<CvvNaive>,                                    //
                                      ViewAndClip<CvvPerspective>,                              //
                                      ViewAndClip<CvvNearFirst>,                                //

@@ -26,6 +26,8 @@
 #include "spaces/whole/drop.hpp"
 #include "spaces/window/cohen_sutherland.hpp"
 #include "spaces/window/liang_barsky.hpp"
+#include "spaces/window/liang_barsky_polygon.hpp"
+#include "spaces/window/maillot.hpp"
 #include "spaces/window/nicholl_lee_nicholl.hpp"
 
 namespace clipscope {
@@ -51,6 +53,8 @@ using AllClippers = TriangleClippers<ViewAndClip<Textbook>,                     
                                      ViewAndClip<CvvNaive>,                                    //
                                      ViewAndClip<CvvPerspective>,                              //
                                      ViewAndClip<CvvNearFirst>,                                //
+                                     ViewAndClip<WindowLiangBarskyPolygon>,                    //
+                                     ViewAndClip<WindowMaillot>,                               //
                                      ViewAndClip<DistanceMatrix>,                              //
                                      ViewAndClip<CorrectlyRounded>,                            //
                                      ViewAndClip<WholeAnyOutside>,                             //

@@ -16,7 +16,10 @@
 #include "spaces/homogeneous/cohen_sutherland.hpp"
 #include "spaces/homogeneous/cyrus_beck.hpp"
 #include "spaces/homogeneous/guard_band.hpp"
+#include "spaces/homogeneous/interpolation.hpp"
 #include "spaces/homogeneous/liang_barsky.hpp"
+#include "spaces/homogeneous/mcguire.hpp"
+#include "spaces/homogeneous/opposite_planes.hpp"
 #include "spaces/homogeneous/pipeline.hpp"
 #include "spaces/homogeneous/sutherland_hodgman.hpp"
 #include "spaces/homogeneous/textbook.hpp"
@@ -26,6 +29,8 @@
 #include "spaces/whole/drop.hpp"
 #include "spaces/window/cohen_sutherland.hpp"
 #include "spaces/window/liang_barsky.hpp"
+#include "spaces/window/liang_barsky_polygon.hpp"
+#include "spaces/window/maillot.hpp"
 #include "spaces/window/nicholl_lee_nicholl.hpp"
 
 namespace clipscope {
@@ -43,9 +48,16 @@ using AllClippers = TriangleClippers<ViewAndClip<Textbook>,                     
                                      ViewAndClip<HomogeneousPipeline>,                         //
                                      ViewAndClip<BlinnNewell>,                                 //
                                      ViewAndClip<HomogeneousGuardBand>,                        //
+                                     ViewAndClip<HomogeneousMcGuire>,                          //
+                                     ViewAndClip<HomogeneousFromOutside>,                      //
+                                     ViewAndClip<HomogeneousWeightedEnds>,                     //
+                                     ViewAndClip<HomogeneousNearerEnd>,                        //
+                                     ViewAndClip<HomogeneousOppositePlanes>,                   //
                                      ViewAndClip<CvvNaive>,                                    //
                                      ViewAndClip<CvvPerspective>,                              //
                                      ViewAndClip<CvvNearFirst>,                                //
+                                     ViewAndClip<WindowLiangBarskyPolygon>,                    //
+                                     ViewAndClip<WindowMaillot>,                               //
                                      ViewAndClip<DistanceMatrix>,                              //
                                      ViewAndClip<CorrectlyRounded>,                            //
                                      ViewAndClip<WholeAnyOutside>,                             //

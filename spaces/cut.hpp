@@ -29,10 +29,11 @@ using VertexOf = std::remove_cvref_t<decltype(std::declval<const P&>()[0])>;
 template <class P, class Distance>
 using ScalarOf = std::remove_cvref_t<std::invoke_result_t<Distance, const VertexOf<P>&>>;
 
-// Writes to `out` the part of `in` with distance(v) >= 0. `meet(inside, outside, t)` makes the new
-// vertex at t in (0, 1) from the inside end. `in` and `out` must differ.
+// Writes to `out` the part of `in` with distance(v) >= 0. `meet(inside, outside, d_inside,
+// d_outside)` makes the new vertex of an edge with d_inside > 0 > d_outside. `in` and `out` must
+// differ.
 template <class P, class Distance, class Meet>
-constexpr void cut(const P& in, P& out, Distance&& distance, Meet&& meet) {
+constexpr void cut_by_distances(const P& in, P& out, Distance&& distance, Meet&& meet) {
   using T = ScalarOf<P, Distance>;
   out.clear();
   const auto n = in.size();
@@ -43,16 +44,27 @@ constexpr void cut(const P& in, P& out, Distance&& distance, Meet&& meet) {
   for (decltype(in.size()) i = 0; i < n; ++i) {
     const T d = distance(in[i]);
     if (d < zero && zero < d_previous) {
-      const T t = cut_parameter(d_previous, d);
-      out.push_back(meet(in[previous], in[i], t));
+      out.push_back(meet(in[previous], in[i], d_previous, d));
     } else if (d_previous < zero && zero < d) {
-      const T t = cut_parameter(d, d_previous);
-      out.push_back(meet(in[i], in[previous], t));
+      out.push_back(meet(in[i], in[previous], d, d_previous));
     }
     if (zero <= d) out.push_back(in[i]);
     previous = i;
     d_previous = d;
   }
+}
+
+// The same where `meet(inside, outside, t)` makes the new vertex at t in (0, 1) from the inside
+// end.
+template <class P, class Distance, class Meet>
+constexpr void cut(const P& in, P& out, Distance&& distance, Meet&& meet) {
+  using T = ScalarOf<P, Distance>;
+  cut_by_distances(in, out, distance,
+                   [&](const VertexOf<P>& inside, const VertexOf<P>& outside, const T& d_inside,
+                       const T& d_outside) {
+                     const T t = cut_parameter(d_inside, d_outside);
+                     return meet(inside, outside, t);
+                   });
 }
 
 // The same with linear interpolation of position and attributes.
@@ -64,20 +76,29 @@ constexpr void cut(const P& in, P& out, Distance&& distance) {
   });
 }
 
-// Cuts by each plane of the code, in the order of for_each_plane, to and fro between two lists;
-// returns the one that holds the rest. distance(plane, v) is the signed distance.
+// step(plane, in, out) for each plane of the code, in the order of for_each_plane, to and fro
+// between two lists; returns the one that holds the rest.
+template <class P, class Step>
+constexpr P& step_by_planes(P& polygon, P& scratch, Outcode planes,
+                            const std::array<Plane, kPlanes>& order, Step&& step) {
+  P* in = &polygon;
+  P* next = &scratch;
+  for_each_plane(planes, order, [&](Plane plane) {
+    step(plane, *in, *next);
+    std::swap(in, next);
+  });
+  return *in;
+}
+
+// Cuts by each plane of the code. distance(plane, v) is the signed distance.
 template <class P, class Distance, class... Meet>
 constexpr P& cut_by_planes(P& polygon, P& scratch, Outcode planes,
                            const std::array<Plane, kPlanes>& order, Distance&& distance,
                            const Meet&... meet) {
-  P* in = &polygon;
-  P* next = &scratch;
-  for_each_plane(planes, order, [&](Plane plane) {
+  return step_by_planes(polygon, scratch, planes, order, [&](Plane plane, const P& in, P& out) {
     cut(
-        *in, *next, [&](const VertexOf<P>& v) { return distance(plane, v); }, meet...);
-    std::swap(in, next);
+        in, out, [&](const VertexOf<P>& v) { return distance(plane, v); }, meet...);
   });
-  return *in;
 }
 
 // Cuts the polygon in place, unless all of it is inside.

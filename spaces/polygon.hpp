@@ -59,6 +59,8 @@ class VertexList {
     clear();
     for (const VertexType& v : primitive) push_back(v);
   }
+  // Drops all but the first `size` vertices. Pre-condition: there are as many.
+  constexpr void truncate(int size) { size_ = size; }
   // Fewer vertices than the primitive needs (three for a polygon) enclose nothing: what degenerated
   // to a point or a segment becomes the empty list.
   constexpr void drop_if_degenerate(int needed = 3) {

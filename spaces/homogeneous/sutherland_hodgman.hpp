@@ -18,10 +18,7 @@
 
 #include <limits>
 
-#include "spaces/clipper.hpp"
-#include "spaces/cut.hpp"
-#include "spaces/homogeneous/divide.hpp"
-#include "spaces/planes.hpp"
+#include "spaces/homogeneous/by_outcodes.hpp"
 
 namespace clipscope {
 
@@ -35,7 +32,7 @@ enum class WPlane { none, zero, smallest_normal, one_16384th, one_100000th };
 template <PlaneOrder kOrder>
 inline constexpr std::array<Plane, kPlanes> kPlaneOrder =
     kOrder == PlaneOrder::near_first
-        ? std::array{Plane::near, Plane::far, Plane::left, Plane::right, Plane::bottom, Plane::top}
+        ? kNearFirst
         : std::array{Plane::left, Plane::right, Plane::bottom, Plane::top, Plane::far, Plane::near};
 
 constexpr float w_plane_epsilon(WPlane plane) {
@@ -49,7 +46,7 @@ constexpr float w_plane_epsilon(WPlane plane) {
 
 template <PlaneOrder kOrder, WPlane kWPlane = WPlane::none>
 struct HomogeneousSutherlandHodgmanWith
-    : StartsAtClipPositions<HomogeneousSutherlandHodgmanWith<kOrder, kWPlane>> {
+    : CutsByOutcodes<HomogeneousSutherlandHodgmanWith<kOrder, kWPlane>> {
   static constexpr bool kHasEpsilon = w_plane_epsilon(kWPlane) > 0;
 
   static constexpr std::string_view name = [] {
@@ -82,36 +79,17 @@ struct HomogeneousSutherlandHodgmanWith
   static constexpr Promise promise{
       .covers = !kHasEpsilon, .ulps = kChainUlps, .scale_invariant = !kHasEpsilon};
 
-  template <Scalar T, Space S, int K>
-  static constexpr void clip(const ClipVolume& volume, const std::array<Vec4<T>, 3>& positions,
-                             const Triangle<S, T, K>& source, NdcPolygon<T, K>& out) {
-    const OutcodeSummary code = summarize_outcodes(
-        volume, source, [&](std::size_t i) { return clip_outcode(volume.depth, positions[i]); });
-    if (code.all != 0) {
-      out.clear();
-    } else if (code.any == 0 && !is_behind_w_plane(positions)) {
-      divide_inside(volume, positions, source, out);
-    } else {
-      ClipPolygon<T, K> polygon, scratch;
-      polygon.assign(ClipTriangle<T, K>{ClipVertex<T, K>{positions[0], source[0].attributes},
-                                        ClipVertex<T, K>{positions[1], source[1].attributes},
-                                        ClipVertex<T, K>{positions[2], source[2].attributes}});
-      divide(cut(volume, code.any, polygon, scratch), out);
-    }
-  }
+  using CutsByOutcodes<HomogeneousSutherlandHodgmanWith>::cut;
 
-  template <Scalar T, int K>
-  static constexpr ClipPolygon<T, K> cut(const ClipVolume& volume,
-                                         const ClipTriangle<T, K>& triangle) {
-    const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
-      return clip_outcode(volume.depth, triangle[i].position);
-    });
-    ClipPolygon<T, K> polygon, scratch;
-    if (code.all != 0) return polygon;  // not {}, which would write zeros all over it
-    const std::array positions = {triangle[0].position, triangle[1].position, triangle[2].position};
-    if (code.any == 0 && !is_behind_w_plane(positions)) return divisible<T, K>(triangle);
-    polygon.assign(triangle);
-    return divisible<T, K>(cut(volume, code.any, polygon, scratch));
+  // Whether a vertex is behind the w-plane.
+  template <Scalar T>
+  static constexpr bool is_cut_anyway(const std::array<Vec4<T>, 3>& positions) {
+    if constexpr (kHasEpsilon) {
+      for (const Vec4<T>& p : positions) {
+        if (w_distance(p) < T(0)) return true;
+      }
+    }
+    return false;
   }
 
   // The same by the planes of the code alone, of the triangle in `polygon`; with vertices that are
@@ -120,12 +98,7 @@ struct HomogeneousSutherlandHodgmanWith
   static constexpr const ClipPolygon<T, K>& cut(const ClipVolume& volume, Outcode planes,
                                                 ClipPolygon<T, K>& polygon,
                                                 ClipPolygon<T, K>& scratch) {
-    for (const ClipVertex<T, K>& v : polygon) {
-      if (!has_finite_position(v)) {
-        polygon.clear();
-        return polygon;
-      }
-    }
+    clear_unless_finite(polygon);
     if constexpr (kWPlane != WPlane::none) {
       cut_if_crossed(polygon, scratch,
                      [](const ClipVertex<T, K>& v) { return w_distance(v.position); });
@@ -141,16 +114,6 @@ struct HomogeneousSutherlandHodgmanWith
   static constexpr T w_distance(const Vec4<T>& position) {
     const T epsilon(w_plane_epsilon(kWPlane));
     return position[3] - epsilon;
-  }
-
-  template <Scalar T>
-  static constexpr bool is_behind_w_plane(const std::array<Vec4<T>, 3>& positions) {
-    if constexpr (kHasEpsilon) {
-      for (const Vec4<T>& p : positions) {
-        if (w_distance(p) < T(0)) return true;
-      }
-    }
-    return false;
   }
 };
 

@@ -90,9 +90,14 @@ struct Sides {
 Sides sides_of(const Truth& truth, Vertices vertices) {
   Sides sides;
   for (const HalfSpace& half_space : truth.half_spaces()) {
-    std::size_t outside = 0;
-    for (const InputVertex& vertex : vertices) outside += sign(half_space.form, vertex) < 0 ? 1 : 0;
-    if (outside == vertices.size()) return {Verdict::rejected, {}};
+    std::size_t outside = 0, on = 0;
+    for (const InputVertex& vertex : vertices) {
+      const int side = sign(half_space.form, vertex);
+      outside += side < 0 ? 1 : 0;
+      on += side == 0 ? 1 : 0;
+    }
+    const std::size_t beyond = half_space.is_open ? outside + on : outside;
+    if (beyond == vertices.size()) return {Verdict::rejected, {}};
     if (outside > 0) sides.crossed.push_back(&half_space);
   }
   const bool in_front =
@@ -151,6 +156,19 @@ bool coincide(const ExactVertex& a, const ExactVertex& b) {
 
 auto members(const RationalVertex& v) { return std::tie(v.x, v.y, v.z, v.inv_w, v.attributes); }
 
+// Whether the half-open volume has a point of the closed part: for each open side some corner of
+// the part is strictly inside.
+template <class Weights>
+bool is_owned(const Truth& truth, Vertices vertices, const std::vector<Weights>& part) {
+  return std::ranges::all_of(truth.half_spaces(), [&](const HalfSpace& half_space) {
+    if (!half_space.is_open) return true;
+    const auto distance = at_vertices<Weights>(
+        vertices, [&](const InputVertex& v) { return value(half_space.form, v); });
+    return std::ranges::any_of(
+        part, [&](const Weights& lambda) { return interpolate(lambda, distance).sign() > 0; });
+  });
+}
+
 // Pre-condition: sides.verdict is not `rejected`.
 template <class Weights>
 ExactPolygon clip_crossed(const Truth& truth, const Sides& sides, Vertices vertices,
@@ -162,8 +180,9 @@ ExactPolygon clip_crossed(const Truth& truth, const Sides& sides, Vertices verti
                     return value(half_space->form, v);
                   }));
   }
-  const Projector<Weights> project(truth, vertices, attribute_count);
   ExactPolygon r;
+  if (!is_owned(truth, vertices, polygon)) return r;
+  const Projector<Weights> project(truth, vertices, attribute_count);
   for (const Weights& lambda : polygon) {
     if (!project.is_in_front(lambda)) continue;
     ExactVertex vertex = project(lambda);

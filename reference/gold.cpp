@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <iterator>
 #include <stdexcept>
 
 namespace clipscope::reference {
@@ -124,18 +125,32 @@ Nef half_cube(const Vector& inside, const Rational& size) {
   return solid(boundary);
 }
 
-// The vertices of the set's part within all half-spaces. Pre-condition: the set is in the interior
-// of the cube [-size, size]^3.
-std::vector<Point> intersect(Nef rest, const std::vector<Vector>& half_spaces,
-                             const Rational& size) {
-  for (const Vector& inside : half_spaces) {
-    const Rational reach = size * (abs(inside[0]) + abs(inside[1]) + abs(inside[2]));
+// Half-spaces, by the forms that are >= 0 in the closed ones and > 0 in the open ones.
+struct HalfSpaces {
+  std::vector<Vector> closed, open;
+};
+
+// How far the form changes within the cube [-size, size]^3, from its middle.
+Rational reach_of(const Vector& form, const Rational& size) {
+  return Rational(size * (abs(form[0]) + abs(form[1]) + abs(form[2])));
+}
+
+// The vertices of the closure of the set's part within all half-spaces. Pre-condition: the set is
+// in the interior of the cube [-size, size]^3.
+std::vector<Point> intersect(Nef rest, const HalfSpaces& half_spaces, const Rational& size) {
+  for (const Vector& inside : half_spaces.closed) {
+    const Rational reach = reach_of(inside, size);
     if (reach + inside[3] <= 0 && (reach != 0 || inside[3] < 0)) {
       return {};  // the half-space has no point in the interior of the cube
     }
     if (inside[3] - reach < 0) rest *= half_cube(inside, size);
   }
-  return vertices(rest);
+  for (const Vector& inside : half_spaces.open) {
+    const Rational reach = reach_of(inside, size);
+    if (reach + inside[3] <= 0) return {};
+    if (inside[3] - reach < 0) rest -= half_cube(Vector{} - inside, size);
+  }
+  return vertices(half_spaces.open.empty() ? rest : rest.closure());
 }
 
 // --- Projections ---------------------------------------------------------------------------------
@@ -211,15 +226,28 @@ Matrix projection_matrix(const Projection<float>& p) {
   return m;
 }
 
-// The forms of the volume in terms of x, y, z and w, its clip distances apart.
-std::vector<Vector> forms_of(const ClipVolume& volume, const Vector& x, const Vector& y,
-                             const Vector& z, const Vector& w) {
-  std::vector<Vector> forms = {w + x, w - x, w + y, w - y};
+// The open sides in terms of x, y and w.
+std::vector<Vector> open_forms_of(const ClipVolume& volume, const Vector& x, const Vector& y,
+                                  const Vector& w) {
+  std::vector<Vector> forms;
+  if (volume.open_sides.left) forms.push_back(w + x);
+  if (volume.open_sides.right) forms.push_back(w - x);
+  if (volume.open_sides.bottom) forms.push_back(w + y);
+  if (volume.open_sides.top) forms.push_back(w - y);
+  return forms;
+}
+
+// The volume in terms of x, y, z and w, its clip distances apart. An open side is among the closed
+// ones, too.
+HalfSpaces half_spaces_of(const ClipVolume& volume, const Vector& x, const Vector& y,
+                          const Vector& z, const Vector& w) {
+  HalfSpaces r = {{w + x, w - x, w + y, w - y}, open_forms_of(volume, x, y, w)};
+  std::vector<Vector>& forms = r.closed;
   const Vector low = volume.depth == DepthRange::minus_one_to_one ? w + z : z, high = w - z;
   const bool reversed = volume.depth == DepthRange::reversed;
   if (!volume.depth_clamp.near) forms.push_back(reversed ? high : low);
   if (!volume.depth_clamp.far) forms.push_back(reversed ? low : high);
-  return forms;
+  return r;
 }
 
 // A number beyond every |x|, |y| and |z| of the triangle.
@@ -361,7 +389,8 @@ std::vector<RationalVertex> gold_of_frustum(const Frustum<double>& frustum,
                                             const InputTriangle& triangle) {
   assert(is_finite(triangle));
   Truth::of_frustum(frustum, volume);  // throws unless both are valid
-  const std::array<Vector, 3> clip = clip_positions(projection_matrix(frustum), triangle);
+  const Matrix m = projection_matrix(frustum);
+  const std::array<Vector, 3> clip = clip_positions(m, triangle);
   require_area(clip);
   const Rational horizon = beyond(triangle) + to_rational(abs(frustum.near));
   const bool perspective = frustum.kind == ProjectionKind::perspective;
@@ -371,8 +400,9 @@ std::vector<RationalVertex> gold_of_frustum(const Frustum<double>& frustum,
   const Rational last = endless ? horizon : to_rational(frustum.far);
   const Corners corners = view_corners(triangle);
   const Nef part = facet(corners) * convex_hull(frustum_corners(frustum, first, last));
-  return project(triangle, clip, corners,
-                 intersect(part, clip_distance_forms(volume, triangle, corners), beyond(triangle)));
+  const HalfSpaces half_spaces = {clip_distance_forms(volume, triangle, corners),
+                                  open_forms_of(volume, m[0], m[1], m[3])};
+  return project(triangle, clip, corners, intersect(part, half_spaces, beyond(triangle)));
 }
 
 std::vector<RationalVertex> gold_of_matrix(const Projection<float>& projection,
@@ -383,9 +413,9 @@ std::vector<RationalVertex> gold_of_matrix(const Projection<float>& projection,
   const std::array<Vector, 3> clip = clip_positions(m, triangle);
   require_area(clip);
   const Corners corners = view_corners(triangle);
-  std::vector<Vector> half_spaces = forms_of(projection.volume, m[0], m[1], m[2], m[3]);
+  HalfSpaces half_spaces = half_spaces_of(projection.volume, m[0], m[1], m[2], m[3]);
   for (const Vector& form : clip_distance_forms(projection.volume, triangle, corners)) {
-    half_spaces.push_back(form);
+    half_spaces.closed.push_back(form);
   }
   return project(triangle, clip, corners, intersect(facet(corners), half_spaces, beyond(triangle)));
 }
@@ -403,11 +433,14 @@ std::vector<RationalVertex> gold_of_clip(const ClipVolume& volume, const InputTr
   require_area(clip);
   const Vector x = {1, 0, 0, 0}, y = {0, 1, 0, 0}, z = {0, 0, 1, 0}, w = {0, 0, 0, 1};
   const Corners simplex = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
-  std::vector<Vector> half_spaces = clip_distance_forms(volume, triangle, simplex);
-  for (const Vector& form : forms_of(volume, x, y, z, w)) {
+  const auto over_simplex = [&](const Vector& form) {
     const Rational a = dot(form, clip[0]), b = dot(form, clip[1]), c = dot(form, clip[2]);
-    half_spaces.push_back({Rational(b - a), Rational(c - a), 0, a});
-  }
+    return Vector{Rational(b - a), Rational(c - a), 0, a};
+  };
+  HalfSpaces half_spaces = {clip_distance_forms(volume, triangle, simplex), {}};
+  const HalfSpaces of_volume = half_spaces_of(volume, x, y, z, w);
+  std::ranges::transform(of_volume.closed, std::back_inserter(half_spaces.closed), over_simplex);
+  std::ranges::transform(of_volume.open, std::back_inserter(half_spaces.open), over_simplex);
   return project(triangle, clip, simplex, intersect(facet(simplex), half_spaces, 2));
 }
 

@@ -11,6 +11,8 @@
 //   clip      the same in the plane of the barycentric coordinates (l1, l2), where the half-spaces
 //             of clip space are half-planes and w may have any sign
 //
+// An open side takes the closed half-space beyond it away from that; the closure is the result.
+//
 // A clip distance is the half-space of view space, or of the plane of (l1, l2), whose form takes
 // the attribute's values at the triangle's vertices.
 //

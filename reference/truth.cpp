@@ -257,6 +257,11 @@ Dyadic ProjectionForm::value(const InputVertex& vertex) const {
 void Truth::set_half_spaces(std::vector<HalfSpace> six) {
   constexpr int kNear = 4, kFar = 5;
   half_spaces_ = std::move(six);
+  const OpenSides& open = volume_.open_sides;
+  const std::array is_open = {open.left, open.right, open.bottom, open.top};
+  for (std::size_t side = 0; side < is_open.size(); ++side) {
+    half_spaces_[side].is_open = is_open[side];
+  }
   if (volume_.depth_clamp.far) half_spaces_.resize(kFar);
   if (volume_.depth_clamp.near) half_spaces_.erase(half_spaces_.begin() + kNear);
   for (HalfSpace& half_space : half_spaces_) drop_zero_terms(half_space.form);

@@ -9,9 +9,10 @@
 //
 // The differences between the three are the error budget: transform, cut, divide.
 //
-// The volume is closed and is given by linear forms d_p over the input coordinates: d_p >= 0 is
-// inside; 0, on the plane, is inside. Where w = 0 the clip position is (0, 0, 0, 0): outside by
-// definition. Forms of view space, perspective (parallel: x + shear_x z instead of the quotient):
+// The volume is given by linear forms d_p over the input coordinates: d_p >= 0 is inside; 0, on the
+// plane, is inside, unless the plane is an open side. Where w = 0 the clip position is
+// (0, 0, 0, 0): outside by definition. Forms of view space, perspective (parallel: x + shear_x z
+// instead of the quotient):
 //
 //   left    near x + left z      right  -near x - right z      near   -z - near
 //   bottom  near y + bottom z    top    -near y - top z        far     z + far
@@ -137,6 +138,7 @@ class Truth {
   struct HalfSpace {
     LinearForm form;
     double clip_scale = 1;  // form times clip_scale is w + x and so on
+    bool is_open = false;   // does not own its points (OpenSides in spaces/volume.hpp)
   };
   const std::vector<HalfSpace>& half_spaces() const { return half_spaces_; }
   const LinearForm& w() const { return w_; }

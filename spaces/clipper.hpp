@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "spaces/planes.hpp"
 #include "spaces/polygon.hpp"
 #include "spaces/projection.hpp"
 
@@ -79,12 +80,14 @@ struct Promise {
   // Options of the volume that the method takes. Where it does not, its answer is "not applicable".
   bool depth_clamp = true;
   bool clip_distances = true;
+  bool open_sides = true;
 };
 
 // Whether a clipper that promises this can be asked to clip against the volume.
 constexpr bool is_applicable(const Promise& promise, const ClipVolume& volume) {
   return (promise.depth_clamp || !volume.depth_clamp) &&
-         (promise.clip_distances || volume.clip_distances == 0);
+         (promise.clip_distances || volume.clip_distances == 0) &&
+         (promise.open_sides || !volume.open_sides);
 }
 
 // Worst-case bounds that promises are made of, in units of u M, to first order in u.
@@ -136,9 +139,10 @@ concept Clipper = std::is_empty_v<C> && std::default_initializable<C> && require
 } && ClipsViewSpace<C, float, 4, N>;
 
 // The call operators of a clipper that starts at clip coordinates. What it does there is the static
-// Steps::clip(volume, primitive, out), which says by its types what it takes. Steps may be the
-// clipper itself, which is incomplete where its base is made; Self puts the question off until the
-// call. Up to clang 15 a constraint that names an incomplete class is false, without a word.
+// Steps::clip(volume, primitive, out), which says by its types what it takes; what open sides do
+// not own does not get there. Steps may be the clipper itself, which is incomplete where its base
+// is made; Self puts the question off until the call. Up to clang 15 a constraint that names an
+// incomplete class is false, without a word.
 template <class Steps>
 struct StartsInClipSpace {
   template <Scalar T, int K, std::size_t N, class Self = Steps>
@@ -149,7 +153,7 @@ struct StartsInClipSpace {
   constexpr void operator()(const Projection<T>& projection,
                             const Simplex<Space::view, T, K, N>& primitive,
                             NdcPolygon<T, K>& out) const {
-    Self::clip(projection.volume, to_clip(projection, primitive), out);
+    (*this)(projection.volume, to_clip(projection, primitive), out);
   }
 
   template <Scalar T, int K, std::size_t N, class Self = Steps>
@@ -160,6 +164,7 @@ struct StartsInClipSpace {
   constexpr void operator()(const ClipVolume& volume,
                             const Simplex<Space::clip, T, K, N>& primitive,
                             NdcPolygon<T, K>& out) const {
+    if (is_beyond_open_side(volume, primitive)) return out.clear();
     Self::clip(volume, primitive, out);
   }
 };
@@ -175,11 +180,11 @@ struct StartsAtClipPositions {
   }
   constexpr void operator()(const Projection<T>& projection, const ViewTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
-    Self::clip(
-        projection.volume,
-        {to_clip(projection, triangle[0].position), to_clip(projection, triangle[1].position),
-         to_clip(projection, triangle[2].position)},
-        triangle, out);
+    const std::array positions = {to_clip(projection, triangle[0].position),
+                                  to_clip(projection, triangle[1].position),
+                                  to_clip(projection, triangle[2].position)};
+    if (is_beyond_open_side(projection.volume, positions)) return out.clear();
+    Self::clip(projection.volume, positions, triangle, out);
   }
 
   template <Scalar T, int K, class Self = Steps>
@@ -189,6 +194,7 @@ struct StartsAtClipPositions {
   }
   constexpr void operator()(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
                             NdcPolygon<T, K>& out) const {
+    if (is_beyond_open_side(volume, triangle)) return out.clear();
     Self::clip(volume, {triangle[0].position, triangle[1].position, triangle[2].position}, triangle,
                out);
   }

@@ -2,7 +2,8 @@
 //
 // The planes of the clip volume as signed-distance forms in every space, and outcodes.
 //
-// A form d is positive inside, negative outside and 0 on the plane, which belongs to the volume.
+// A form d is positive inside, negative outside and 0 on the plane, which belongs to the volume
+// unless it is an open side (volume.hpp).
 // Forms are not normalised: d is the distance times a positive factor of the plane.
 //
 //           view (perspective)   view (parallel)      clip      ndc
@@ -47,6 +48,13 @@ constexpr Outcode planes_of(const ClipVolume& volume) {
   const Outcode near = volume.depth_clamp.near ? bit(Plane::near) : 0;
   const Outcode far = volume.depth_clamp.far ? bit(Plane::far) : 0;
   return all & ~(near | far);
+}
+
+// The sides that do not own their points.
+constexpr Outcode open_planes_of(const ClipVolume& volume) {
+  const OpenSides& open = volume.open_sides;
+  return (open.left ? bit(Plane::left) : 0) | (open.right ? bit(Plane::right) : 0) |
+         (open.bottom ? bit(Plane::bottom) : 0) | (open.top ? bit(Plane::top) : 0);
 }
 
 // The value of a user clip plane (a, b, c, d) at a point, for use as a clip distance: inside is
@@ -212,7 +220,7 @@ constexpr OutcodeSummary summarize_outcodes(const ClipVolume& volume,
     r.all &= code;
     r.any |= code;
   };
-  if (volume == ClipVolume{.depth = volume.depth}) [[likely]] {
+  if (is_plain(volume)) [[likely]] {
     for (std::size_t i = 0; i < N; ++i) note(position_outcode(i));
     return r;
   }
@@ -242,6 +250,48 @@ constexpr void for_each_plane(Outcode code, const std::array<Plane, N>& order, F
     const auto plane = static_cast<Plane>(p);
     if ((code & bit(plane)) != 0) f(plane);
   }
+}
+
+// Whether all vertices of a primitive are on or outside of one open side: then the volume owns
+// nothing of it. is_inside(side, i): whether vertex i is strictly inside.
+template <class IsInside>
+constexpr bool is_beyond_open_side(const ClipVolume& volume, std::size_t vertices,
+                                   IsInside&& is_inside) {
+  if (!volume.open_sides) [[likely]]
+    return false;
+  bool is_beyond = false;
+  for_each_plane(open_planes_of(volume), kAllPlanes, [&](Plane side) {
+    bool reaches_in = false;
+    for (std::size_t i = 0; i < vertices; ++i) reaches_in = reaches_in || is_inside(side, i);
+    is_beyond = is_beyond || !reaches_in;
+  });
+  return is_beyond;
+}
+
+// Whether a clip position is strictly inside of a side: one comparison, hence exact.
+template <Scalar T>
+constexpr bool is_inside_side(Plane side, const Vec4<T>& v) {
+  switch (side) {
+    case Plane::left: return -v[3] < v[0];
+    case Plane::right: return v[0] < v[3];
+    case Plane::bottom: return -v[3] < v[1];
+    default: return v[1] < v[3];
+  }
+}
+
+// The same of clip positions, or of a clip-space primitive.
+template <Scalar T, std::size_t N>
+constexpr bool is_beyond_open_side(const ClipVolume& volume,
+                                   const std::array<Vec4<T>, N>& positions) {
+  return is_beyond_open_side(
+      volume, N, [&](Plane side, std::size_t i) { return is_inside_side(side, positions[i]); });
+}
+template <Scalar T, int K, std::size_t N>
+constexpr bool is_beyond_open_side(const ClipVolume& volume,
+                                   const Simplex<Space::clip, T, K, N>& primitive) {
+  return is_beyond_open_side(volume, N, [&](Plane side, std::size_t i) {
+    return is_inside_side(side, primitive[i].position);
+  });
 }
 
 }  // namespace clipscope

@@ -61,7 +61,8 @@ struct ProjectionRow {
 };
 
 // The projection: the frustum, the clip volume that it maps to, and the rows of its matrix rounded
-// to T once. Options of the volume (depth clamp, clip distances) are set after construction.
+// to T once. Options of the volume (depth clamp, clip distances, open sides) are set after
+// construction.
 //   x_clip = x.own x + x.z z + x.one     z_clip = z.z z + z.one
 //   y_clip = y.own y + y.z z + y.one     w_clip = w.z z + w.one
 template <Scalar T>

@@ -92,7 +92,7 @@ struct DistanceMatrix : StartsAtClipPositions<DistanceMatrix> {
     const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
       return clip_outcode(volume.depth, triangle[i].position);
     });
-    if (code.all != 0) return out;
+    if (code.all != 0 || is_beyond_open_side(volume, triangle)) return out;
     const std::array positions = {triangle[0].position, triangle[1].position, triangle[2].position};
     for_each_corner(volume.depth, code.any, positions, triangle,
                     [&](WeightedVertex<T, K> v, Outcode on) {

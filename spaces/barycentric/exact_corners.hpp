@@ -150,7 +150,7 @@ std::array<Values, 4> clip_coordinates(const ClipTriangle<float, K>& triangle) {
 template <int K, class Count>
 bool cut_clip_triangle(const ClipVolume& volume, const ClipTriangle<float, K>& triangle,
                        const std::array<Values, 4>& coordinates, CutTriangle& cut, Count& count) {
-  if (!has_finite_positions(triangle)) return false;
+  if (!has_finite_positions(triangle) || is_beyond_open_side(volume, triangle)) return false;
   const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
     return clip_outcode(volume.depth, triangle[i].position);
   });

@@ -166,6 +166,10 @@ bool cut_view_triangle(const ClipVolume& volume, const ViewTriangle<float, K>& t
   const OutcodeSummary code =
       summarize_outcodes(volume, triangle, [&](std::size_t i) { return view_outcode(rows, i); });
   if (code.all != 0 || !has_finite_distances(code.any, triangle)) return false;
+  const auto is_inside = [&](Plane side, std::size_t i) {
+    return rows[static_cast<int>(side)].rounded[i] > 0;
+  };
+  if (is_beyond_open_side(volume, 3, is_inside)) return false;
   const auto row_of = [&](Plane plane) {
     return is_clip_distance(plane) ? clip_distance_row(plane, triangle)
                                    : rows[static_cast<int>(plane)];

@@ -15,7 +15,7 @@
 // What all share:
 //   - Triangles and polygons come out in the order of the input, polygons in the winding of the
 //     input. A polygon begins at any of its vertices.
-//   - Volumes with clip distances or depth clamp are clipped by the plain version.
+//   - Volumes with clip distances, depth clamp or open sides are clipped by the plain version.
 //   - NaN and infinity: the policy of spaces/clipper.hpp. In the stage a result overflows where a
 //     coordinate of a new vertex does. Vertices with w <= 0 (in the volume only (0, 0, 0, 0)) are
 //     left out.

@@ -57,9 +57,7 @@ HWY_EXPORT(full);
 
 void clip(Method method, const Projection<float>& projection, const ViewVertexArray& triangles,
           Output& out, Build build) {
-  const ClipVolume& volume = projection.volume;
-  if (build == Build::plain || volume.depth_clamp || volume.clip_distances != 0 ||
-      !has_simd(method)) {
+  if (build == Build::plain || !is_plain(projection.volume) || !has_simd(method)) {
     return plain::full(method, projection, triangles, out);
   }
   HWY_DYNAMIC_DISPATCH(full)(method, projection, triangles, out);

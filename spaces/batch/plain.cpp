@@ -64,16 +64,17 @@ void run(Method method, const ClipVolume& volume, std::size_t triangles, int att
     const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
       return clip_outcode(volume.depth, triangle[i].position);
     });
-    const bool is_inside = code.any == 0 && is_usable(triangle);
+    const bool is_rejected = code.all != 0 || is_beyond_open_side(volume, triangle);
+    const bool is_inside = !is_rejected && code.any == 0 && is_usable(triangle);
     tally.inside += is_inside;
-    tally.rejected += code.all != 0;
-    tally.plain += code.all == 0 && !is_inside;
+    tally.rejected += is_rejected;
+    tally.plain += !is_rejected && !is_inside;
     if (is_inside && inside == Inside::named) {
       *writer.inside++ = static_cast<std::uint32_t>(t);
     } else if (is_inside) {
       write_vertices(triangle, writer.next);
       writer.add(t, 3);
-    } else if (code.all == 0) {
+    } else if (!is_rejected) {
       writer.add(t, write_cut(method, volume, triangle, writer.next));
     }
     access.commit(writer);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The batch clippers in plain C++: what the SIMD code has to answer, bit for bit, and what clips
-// for it where it gives up (clip distances, depth clamp, vertices that aren't finite, polygons that
-// rounding has made other than convex, floats that only expansions settle).
+// for it where it gives up (clip distances, depth clamp, open sides, vertices that aren't finite,
+// polygons that rounding has made other than convex, floats that only expansions settle).
 #pragma once
 
 #include "spaces/batch/batch.hpp"

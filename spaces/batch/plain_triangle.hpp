@@ -24,7 +24,7 @@ ClipPolygon<float, K> cut_in_double(const ClipVolume& volume,
   const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
     return clip_outcode(volume.depth, triangle[i].position);
   });
-  if (code.all != 0) return {};
+  if (code.all != 0 || is_beyond_open_side(volume, triangle)) return {};
   ClipPolygon<double, K> polygon, scratch;
   for (const ClipVertex<float, K>& v : triangle) polygon.push_back(vertex_cast<double>(v));
   ClipPolygon<float, K> out;
@@ -56,7 +56,7 @@ bool cut_by_rounded_signs(const ClipVolume& volume, const ClipTriangle<V, K>& tr
   const OutcodeSummary code = summarize_outcodes(volume, triangle, [&](std::size_t i) {
     return clip_outcode(volume.depth, triangle[i].position);
   });
-  if (code.all != 0) return false;
+  if (code.all != 0 || is_beyond_open_side(volume, triangle)) return false;
   const auto values = [&](auto&& of) {
     return barycentric::Values{of(triangle[0]), of(triangle[1]), of(triangle[2])};
   };

@@ -77,8 +77,7 @@ namespace {
 
 bool needs_plain(Method method, const ClipVolume& volume, Build build) {
   assert(std::count(kStageMethods.begin(), kStageMethods.end(), method) == 1);
-  return build == Build::plain || volume.depth_clamp || volume.clip_distances != 0 ||
-         !has_simd(method);
+  return build == Build::plain || !is_plain(volume) || !has_simd(method);
 }
 
 }  // namespace

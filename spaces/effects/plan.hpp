@@ -16,6 +16,8 @@
 //   depth             the user says that nobody reads it; z is then 0 at every vertex
 //   interpolation     no triangle is cut, or attributes are constant over each triangle
 //
+// Open sides call for everything: the facts are those of a closed volume.
+//
 // All but perspective correction and depth leave the bits of the polygons as they are.
 //
 // Perspective correction. A point of a triangle at barycentric coordinates b on the screen has
@@ -111,6 +113,8 @@ class Plan {
   Plan(const SceneFacts<T>& facts, const PlanOptions<T>& options)
       : projection_(facts.projection()), revision_(facts.options().revision) {
     const ClipVolume& volume = projection_.volume;
+    affine_error_ = affine_error(facts);
+    if (volume.open_sides) return;
     const auto effect_of = [&](Outcode planes) {
       if ((facts.crossed() & planes) != 0) return PlaneEffect::cut;
       return (facts.rejecting() & planes) != 0 ? PlaneEffect::reject : PlaneEffect::none;
@@ -128,7 +132,6 @@ class Plan {
     effects_.w_guard_ = facts.has_bad_w() || bool{volume.depth_clamp};
     effects_.depth_ = options.depth || bool{volume.depth_clamp};
     effects_.divide_ = !facts.has_unit_w();
-    affine_error_ = affine_error(facts);
     effects_.perspective_ = effects_.divide_ && !(affine_error_ <= options.tolerance);
     effects_.interpolation_ = effects_.has_plane(PlaneEffect::cut) && !facts.attributes().flat;
   }

@@ -39,6 +39,7 @@ struct BlinnNewell : StartsInClipSpace<BlinnNewell> {
   static constexpr ClipPolygon<T, K> cut(const ClipVolume& volume,
                                          const ClipTriangle<T, K>& triangle) {
     ClipPolygon<T, K> out;
+    if (is_beyond_open_side(volume, triangle)) return out;
     cut_and_then(volume, triangle, [&](const auto& rest) { out = divisible<T, K>(rest); });
     return out;
   }

@@ -61,7 +61,9 @@ struct CutsByOutcodes : StartsAtClipPositions<CutsByOutcodes<Method>> {
       return clip_outcode(volume.depth, triangle[i].position);
     });
     ClipPolygon<T, K> polygon, scratch;
-    if (code.all != 0) return polygon;  // not {}, which would write zeros all over it
+    if (code.all != 0 || is_beyond_open_side(volume, triangle)) {
+      return polygon;  // not {}, which would write zeros all over it
+    }
     const std::array positions = {triangle[0].position, triangle[1].position, triangle[2].position};
     if (code.any == 0 && !Method::is_cut_anyway(positions)) return divisible<T, K>(triangle);
     polygon.assign(triangle);

@@ -36,6 +36,7 @@ struct HomogeneousPipeline : StartsInClipSpace<HomogeneousPipeline> {
   template <Scalar T, int K>
   static constexpr ClipPolygon<T, K> cut(const ClipVolume& volume,
                                          const ClipTriangle<T, K>& triangle) {
+    if (is_beyond_open_side(volume, triangle)) return {};
     return divisible<T, K>(Stream<T, K>(volume, triangle).finish());
   }
 

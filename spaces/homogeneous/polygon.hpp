@@ -47,6 +47,10 @@ class HomogeneousPolygonClipper {
     }
     any &= planes_of(volume);
     if (polygon.size() < 3 || all != 0) return divided_;
+    const auto is_inside = [&](Plane side, std::size_t i) {
+      return is_inside_side(side, polygon[i].position);
+    };
+    if (is_beyond_open_side(volume, polygon.size(), is_inside)) return divided_;
     for (const ClipVertex<T, K>& v : polygon) {
       if (!has_finite_position(v)) return divided_;
     }

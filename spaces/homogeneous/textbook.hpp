@@ -36,6 +36,7 @@ struct Textbook : StartsInClipSpace<Textbook> {
 
   template <Scalar T, int K>
   static ClipPolygon<T, K> cut(const ClipVolume& volume, const ClipTriangle<T, K>& triangle) {
+    if (is_beyond_open_side(volume, triangle)) return {};
     return divisible<T, K>(cut_planes(volume, triangle));
   }
 

@@ -5,7 +5,8 @@
 //
 //   point/pop       a point whose centre is outside any plane vanishes, its whole square with it
 //   point/pop_free  near, far and clip distances ask about the centre; at the sides a point stays
-//                   as long as its square, grown from the centre, touches the volume
+//                   as long as its square, grown from the centre, touches the volume, and comes
+//                   strictly inside of an open side
 //
 // Source: pop: The Khronos Group, "OpenGL 4.6 Core Profile Specification", section 13.7, and
 // Vulkan's pointClippingBehavior ALL_CLIP_PLANES; pop-free: OpenGL ES 3.2, "Primitive Clipping"
@@ -61,7 +62,7 @@ struct PointClipper {
     const Outcode code =
         (clip_outcode(volume.depth, v.position) | clip_distance_outcode(volume, v.attributes)) &
         planes_of(volume);
-    if (!is_kept(code, v.position, size)) return;
+    if (!is_kept(code, v.position, size) || is_beyond(volume, v.position, size)) return;
     // Inside all planes only the eye itself, (0, 0, 0, 0), has w = 0; but depth may have no bound.
     if (!(T(0) < v.position[3]) || !has_finite_position(v)) return;
     out.push_back(to_ndc(v));
@@ -100,6 +101,19 @@ struct PointClipper {
       return ((code & x_sides) == 0 || touches(v[0], v[3], size.half_width)) &&
              ((code & y_sides) == 0 || touches(v[1], v[3], size.half_height));
     }
+  }
+
+  // Whether an open side owns nothing of the square.
+  template <Scalar T>
+  static constexpr bool is_beyond(const ClipVolume& volume, const Vec4<T>& v,
+                                  const PointSize<T>& size) {
+    return is_beyond_open_side(volume, 1, [&](Plane side, std::size_t) {
+      if constexpr (kPops) return is_inside_side(side, v);
+      const bool is_x = side == Plane::left || side == Plane::right;
+      const T& half = is_x ? size.half_width : size.half_height;
+      const T reach = v[3] + half * v[3];
+      return is_inside_side(side, Vec4<T>(v[0], v[1], v[2], reach));
+    });
   }
 
   // Whether |x / w| <= 1 + half, without the division: -(w + half w) <= x <= w + half w.

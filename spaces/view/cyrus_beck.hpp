@@ -44,6 +44,10 @@ struct ViewCyrusBeckWith {
   constexpr void operator()(const Projection<T>& projection, const ViewSegment<T, K>& segment,
                             NdcPolygon<T, K>& out) const {
     out.clear();
+    const auto is_inside = [&](Plane side, std::size_t i) {
+      return T(0) < signed_distance(projection.frustum, side, segment[i]);
+    };
+    if (is_beyond_open_side(projection.volume, 2, is_inside)) return;
     const Parameters<T> kept = parameters(projection, segment);
     if (!kept.visible()) return;
     ViewSegment<T, K> ends = segment;

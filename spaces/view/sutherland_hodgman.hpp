@@ -48,7 +48,7 @@ struct ViewSutherlandHodgmanWith {
                             NdcPolygon<T, K>& out) const {
     const OutcodeSummary code = outcodes(projection, triangle);
     out.clear();
-    if (code.all != 0) return;
+    if (code.all != 0 || is_beyond_open_side(projection, triangle)) return;
     if (code.any == 0) {
       project(projection, triangle, out);
     } else if (has_finite_positions(triangle)) {
@@ -64,7 +64,8 @@ struct ViewSutherlandHodgmanWith {
                                          const ViewTriangle<T, K>& triangle) {
     const OutcodeSummary code = outcodes(projection, triangle);
     ViewPolygon<T, K> out, scratch;
-    if (code.all != 0 || !has_finite_positions(triangle)) return out;
+    if (code.all != 0 || is_beyond_open_side(projection, triangle)) return out;
+    if (!has_finite_positions(triangle)) return out;
     out.assign(triangle);
     const ViewPolygon<T, K>& left = cut_planes(projection, code.any, out, scratch);
     if (&left != &out) out = left;
@@ -91,6 +92,14 @@ struct ViewSutherlandHodgmanWith {
       if (!(T(0) <= view_distance<kForm>(projection, plane, v))) code |= bit(plane);
     }
     return code;
+  }
+
+  template <Scalar T, int K>
+  static constexpr bool is_beyond_open_side(const Projection<T>& projection,
+                                            const ViewTriangle<T, K>& triangle) {
+    return clipscope::is_beyond_open_side(projection.volume, 3, [&](Plane side, std::size_t i) {
+      return T(0) < distance(projection, side, triangle[i].position);
+    });
   }
 
   // What is left comes back in one of the two lists.

@@ -52,6 +52,7 @@ MakeTriangle in_view(const MakeTriangle& make) {
 }
 
 const MakeTriangle kLattice3 = [](Random& r) { return lattice_triangle(r, -3, 3); };
+const MakeTriangle kLattice1 = [](Random& r) { return lattice_triangle(r, -1, 1); };
 const MakeTriangle kLattice2 = [](Random& r) { return lattice_triangle(r, -2, 2); };
 const MakeTriangle kFloats = [](Random& r) { return float_triangle(r, 5); };
 
@@ -100,6 +101,11 @@ DepthRange any_depth() {
 
 DepthClamp any_depth_clamp() {
   return GENERATE(DepthClamp(), DepthClamp(true), kClampNear, kClampFar);
+}
+
+OpenSides any_open_sides() {
+  return GENERATE(OpenSides(true), OpenSides(true, false, false, true),
+                  OpenSides(true, true, false, false));
 }
 
 Frustum<double> perspective(DepthRange depth) {
@@ -238,6 +244,27 @@ TEST_CASE("reference: equals gold with depth clamp and clip distances under a fl
   projection.volume.clip_distances = 1;
   const auto gold = [&](const InputTriangle& t) { return gold_of_matrix(projection, t); };
   CHECK(compare(Truth::of_matrix(projection), gold, in_view(kLattice3), 60).clipped > 15);
+}
+
+// On a coarse lattice many triangles touch the volume with a vertex or an edge, or lie in a side.
+TEST_CASE("reference: equals gold with open sides in clip space") {
+  const ClipVolume volume = {.depth = any_depth(), .open_sides = any_open_sides()};
+  const Truth truth = Truth::of_clip(volume);
+  const auto gold = [&](const InputTriangle& t) { return gold_of_clip(volume, t); };
+  CHECK(compare(truth, gold, kLattice2, 150).clipped > 25);
+  CHECK(compare(truth, gold, kLattice1, 150).clipped > 15);
+}
+
+TEST_CASE("reference: equals gold with open sides in view space and under a float matrix") {
+  const auto make_frustum = GENERATE(perspective, infinite, parallel, oblique);
+  const Frustum<double> frustum = make_frustum(DepthRange::zero_to_one);
+  const ClipVolume volume = {.depth = frustum.depth, .open_sides = any_open_sides()};
+  const auto gold = [&](const InputTriangle& t) { return gold_of_frustum(frustum, volume, t); };
+  CHECK(compare(Truth::of_frustum(frustum, volume), gold, in_view(kLattice3), 100).clipped > 20);
+  Projection<float> projection(frustum_cast<float>(frustum));
+  projection.volume = volume;
+  const auto gold_matrix = [&](const InputTriangle& t) { return gold_of_matrix(projection, t); };
+  CHECK(compare(Truth::of_matrix(projection), gold_matrix, in_view(kLattice3), 60).clipped > 10);
 }
 
 // Vertices hundreds of binary orders of magnitude apart.

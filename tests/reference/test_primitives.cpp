@@ -200,6 +200,43 @@ TEST_CASE("volume: depth clamp in view space leaves the pyramid up to the eye") 
   CHECK(clipped(Truth::of_frustum(parallel, clamped), {{0, 0, 5, 1}}).verdict == Verdict::accepted);
 }
 
+TEST_CASE("volume: by the top-left rule the right and bottom sides do not own their points") {
+  const Truth open = Truth::of_clip(ClipVolume{.open_sides = true});
+  const auto owned = [&](const Position& p) {
+    REQUIRE(clipped(kClip, {p}).verdict == Verdict::accepted);
+    return clipped(open, {p}).verdict == Verdict::accepted;
+  };
+  CHECK(owned({-2, 0, 0, 2}));
+  CHECK(owned({0, 2, 0, 2}));
+  CHECK_FALSE(owned({2, 0, 0, 2}));
+  CHECK_FALSE(owned({0, -2, 0, 2}));
+  CHECK(owned({std::nextafter(2.0, 0.0), 0, 0, 2}));
+  // Of the corners the one at the top left alone.
+  CHECK(owned({-1, 1, 0, 1}));
+  for (const Position& p : {Position{1, 1, 0, 1}, {1, -1, 0, 1}, {-1, -1, 0, 1}}) {
+    CHECK_FALSE(owned(p));
+  }
+}
+
+TEST_CASE("volume: what reaches inside of an open side is cut as ever, up to its border") {
+  const Truth open = Truth::of_clip(ClipVolume{.open_sides = true});
+  CHECK(positions_of(clipped(open, {{0, 0, 0, 1}, {3, 0, 0, 1}})) ==
+        Positions{{0, 0, 0, 1}, {1, 0, 0, 1}});
+  CHECK(positions_of(clipped(open, {{1, 0, 0, 1}, {0, 0, 0, 1}})) ==
+        Positions{{1, 0, 0, 1}, {0, 0, 0, 1}});
+  CHECK(clipped(open, {{1, 0, 0, 1}, {3, 0, 0, 1}}).vertices.empty());         // touches
+  CHECK(clipped(open, {{1, 0, 0, 1}, {1, .5, 0, 1}}).vertices.empty());        // lies in it
+  CHECK(clipped(open, {{2, 0, 0, 1}, {0, -2, 0, 1}}).vertices.empty());        // through a corner
+  CHECK(clipped(open, {{-1, 0, 0, 1}, {-1, .5, 0, 1}}).vertices.size() == 2);  // lies in its owner
+}
+
+TEST_CASE("volume: an outward inset moves an open side away from what lies in it") {
+  const Truth open = Truth::of_clip(ClipVolume{.open_sides = true});
+  CHECK(clipped(open, {{1, 0, 0, 1}}).verdict == Verdict::rejected);
+  CHECK(clipped(open.inset(-0.25), {{1, 0, 0, 1}}).verdict == Verdict::accepted);
+  CHECK(clipped(open.inset(-0.25), {{1.25, 0, 0, 1}}).verdict == Verdict::rejected);
+}
+
 // The first attribute is 1 at a, -1 at b, -3 at c: 0 in the middle of a-b and at 1/4 of a-c.
 TEST_CASE("volume: a clip distance cuts where its attribute is 0") {
   InputTriangle t = triangle({0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1});

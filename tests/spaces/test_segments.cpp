@@ -75,11 +75,25 @@ bool in_domain(const SegmentClipper<Exact>& clip, const ClipVolume& volume,
   return !part || has_positive_w(segment, *part);
 }
 
+// Whether some end is strictly inside of each open side.
+bool reaches_in(const ClipVolume& volume, const ClipSegment<Exact, K>& segment) {
+  const auto is_inside = [&](Plane side, std::size_t end) {
+    return Exact(0) < signed_distance(volume.depth, side, segment[end]);
+  };
+  const OpenSides& open = volume.open_sides;
+  const std::array is_open = {open.left, open.right, open.bottom, open.top};
+  for (std::size_t side = 0; side < 4; ++side) {
+    const auto plane = static_cast<Plane>(side);
+    if (is_open[side] && !is_inside(plane, 0) && !is_inside(plane, 1)) return false;
+  }
+  return true;
+}
+
 // No vertex, or the two ends of what is visible, divided.
 NdcPolygon<Exact, K> exact_answer(const ClipVolume& volume, const ClipSegment<Exact, K>& segment) {
   NdcPolygon<Exact, K> out;
   const auto part = exact_interval(volume, ~Outcode{0}, segment);
-  if (part && has_positive_w(segment, *part)) {
+  if (part && has_positive_w(segment, *part) && reaches_in(volume, segment)) {
     out.push_back(to_ndc(at(segment, part->from)));
     out.push_back(to_ndc(at(segment, part->to)));
     keep_if_segment(out);
@@ -87,10 +101,14 @@ NdcPolygon<Exact, K> exact_answer(const ClipVolume& volume, const ClipSegment<Ex
   return out;
 }
 
-const std::vector<ClipVolume> kVolumes = {
-    {DepthRange::minus_one_to_one, false, 0}, {DepthRange::zero_to_one, false, 0},
-    {DepthRange::reversed, false, 0},         {DepthRange::minus_one_to_one, true, 0},
-    {DepthRange::reversed, true, 1},          {DepthRange::zero_to_one, false, 3}};
+const std::vector<ClipVolume> kVolumes = {{DepthRange::minus_one_to_one, false, 0},
+                                          {DepthRange::zero_to_one, false, 0},
+                                          {DepthRange::reversed, false, 0},
+                                          {DepthRange::minus_one_to_one, true, 0},
+                                          {DepthRange::reversed, true, 1},
+                                          {DepthRange::zero_to_one, false, 3},
+                                          {.open_sides = true},
+                                          {.depth_clamp = true, .open_sides = true}};
 
 }  // namespace
 

@@ -47,6 +47,7 @@ Case make_case(Random& random, Number&& number) {
   c.volume.depth = static_cast<DepthRange>(random() % 3);
   c.volume.depth_clamp = {random() % 4 == 0, random() % 4 == 0};
   c.volume.clip_distances = random() % 3 == 0 ? static_cast<int>(random() % 3) : 0;
+  c.volume.open_sides = random() % 4 == 0;
   for (ClipVertex<float, kAttributes>& v : c.triangle) {
     for (int i = 0; i < 4; ++i) v.position[i] = number();
     for (float& a : v.attributes.values) a = number();

@@ -46,6 +46,7 @@ ViewCase make_view_case(Random& random, const Frustum<float>& f, Number&& number
   c.volume.depth = f.depth;
   c.volume.depth_clamp = {random() % 4 == 0, random() % 4 == 0};
   c.volume.clip_distances = random() % 3 == 0 ? static_cast<int>(random() % 3) : 0;
+  c.volume.open_sides = random() % 4 == 0;
   for (ViewVertex<float, kAttributes>& v : c.triangle) {
     for (int i = 0; i < 3; ++i) v.position[i] = number();
     for (float& a : v.attributes.values) a = number();

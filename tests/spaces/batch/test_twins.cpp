@@ -90,13 +90,16 @@ TEST_CASE("batch: SIMD gives the bits of the plain version for any number of tri
   });
 }
 
-TEST_CASE("batch: clip distances and depth clamp are clipped as the plain version does") {
+TEST_CASE("batch: options of the volume are clipped as the plain version does") {
   Random random(5);
   const Soup soup = make_soup(random, Numbers::near_volume, 4, 500);
+  const Soup lattice = make_soup(random, Numbers::lattice, 4, 500);
   for (const Method method : kStageMethods) {
     check_twins(method, {.clip_distances = 2}, soup.array());
     check_twins(method, {.depth_clamp = true}, soup.streams());
     check_twins(method, {.depth_clamp = kClampNear}, soup.array());
+    check_twins(method, {.open_sides = true}, lattice.array());
+    check_twins(method, {.open_sides = true}, lattice.streams());
   }
 }
 

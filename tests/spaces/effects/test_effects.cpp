@@ -107,6 +107,7 @@ class Scenes {
     Projection<T> p(f);
     p.volume.depth_clamp = below(6) == 0;
     p.volume.clip_distances = below(6) == 0 ? 2 : 0;
+    p.volume.open_sides = below(6) == 0;
     return p;
   }
 

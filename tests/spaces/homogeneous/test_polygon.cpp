@@ -21,6 +21,7 @@ const std::vector<ClipVolume> kVolumes = {
     {DepthRange::minus_one_to_one, false, 0},
     {DepthRange::reversed, false, 2},
     {DepthRange::zero_to_one, true, 0},
+    {.open_sides = true},
 };
 
 // A planar convex polygon: points of a parabola's arc, in a plane through clip space.

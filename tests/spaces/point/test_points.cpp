@@ -42,11 +42,13 @@ void for_every_point_clipper(F&& f) {
   });
 }
 
-// Whether the closed volume has the point: by the definition, plane by plane.
+// Whether the volume has the point: by the definition, plane by plane.
 bool is_inside(const ClipVolume& volume, const ClipVertex<Exact, K>& v) {
   bool inside = Exact(0) < v.position[3];
   for_each_plane(planes_of(volume), kAllPlanes, [&](Plane plane) {
-    inside = inside && Exact(0) <= signed_distance(volume.depth, plane, v);
+    const Exact d = signed_distance(volume.depth, plane, v);
+    const bool is_open = (open_planes_of(volume) & bit(plane)) != 0;
+    inside = inside && (is_open ? Exact(0) < d : Exact(0) <= d);
   });
   return inside;
 }
@@ -67,7 +69,7 @@ TEST_CASE("points: of size 0, what is inside comes out divided, the rest does no
   for (const ClipVolume& volume :
        {ClipVolume{}, ClipVolume{.depth = DepthRange::reversed},
         ClipVolume{.depth = DepthRange::zero_to_one, .clip_distances = 2},
-        ClipVolume{.depth_clamp = true}}) {
+        ClipVolume{.depth_clamp = true}, ClipVolume{.open_sides = true}}) {
     for (int n = 0; n < 500; ++n) {
       auto point = clip_point<Exact>(lattice_corners(random)[0]);
       point[0].attributes[0] = Exact(n % 3 - 1);

@@ -28,6 +28,7 @@
 #include "spaces/view/sutherland_hodgman.hpp"
 #include "spaces/whole/drop.hpp"
 #include "spaces/window/cohen_sutherland.hpp"
+#include "spaces/window/cyrus_beck.hpp"
 #include "spaces/window/liang_barsky.hpp"
 #include "spaces/window/liang_barsky_polygon.hpp"
 #include "spaces/window/maillot.hpp"
@@ -77,6 +78,7 @@ using AllSegmentClippers = SegmentClippers<ViewOnly<ViewCyrusBeck>,             
                                            ViewAndClip<CvvLiangBarskyNaive>,                 //
                                            ViewAndClip<CvvSkalaPolyhedron>,                  //
                                            ViewAndClip<WindowCohenSutherland>,               //
+                                           ViewAndClip<WindowCyrusBeck>,                     //
                                            ViewAndClip<WindowLiangBarsky>,                   //
                                            ViewAndClip<WindowLiangBarskyDivisionFree>,       //
                                            ViewAndClip<WindowNichollLeeNicholl>>;

@@ -5,7 +5,6 @@
 
 #include "experiments/bounds/rows.hpp"
 #include "experiments/claims/claim.hpp"
-#include "experiments/claims/speed.hpp"
 #include "experiments/cost/rows.hpp"
 #include "experiments/frontier/rows.hpp"
 #include "experiments/perspective/rows.hpp"
@@ -14,6 +13,22 @@
 
 namespace clipscope::experiments::claims {
 namespace {
+
+// A clipper's time on a mix in float, and how many times faster than the table's baseline it is.
+struct Speed {
+  double ns = 0;
+  MedianInterval speedup;
+
+  // Faster beyond the intervals of both.
+  bool operator>(const Speed& other) const { return speedup.low > other.speedup.high; }
+};
+
+template <class Row = cost::Row>
+Speed speed(const Results& results, const std::string& mix, std::string_view clipper) {
+  const Row& row = results.row<Row>(&Row::mix, mix, &Row::clipper, clipper, &Row::scalar, "float");
+  if (row.timing && row.timing->speedup) return {row.timing->ns.median, *row.timing->speedup};
+  throw MissingFigure(fmt::format("table {} has no time of {} on {}", Row::kName, clipper, mix));
+}
 
 std::vector<std::string> mixes(const Results& results) {
   return distinct(results.rows<cost::Row>(), &cost::Row::mix);

@@ -14,9 +14,9 @@
 
 namespace clipscope::experiments::claims {
 
-// Where methods are timed: segments in the plane, segments from view space to NDC, triangles from
-// view space to NDC.
-enum class Field { plane, segments, triangles };
+// Where methods are timed: segments in the plane, against convex polygons of the plane, from view
+// space to NDC; triangles from view space to NDC.
+enum class Field { plane, convex_windows, segments, triangles };
 
 struct Ranking {
   int number = 0;

@@ -13,6 +13,7 @@
 #include "experiments/perspective/rows.hpp"
 #include "experiments/pictures/rows.hpp"
 #include "experiments/plane_order/rows.hpp"
+#include "experiments/segments/convex_windows.hpp"
 #include "experiments/segments/literature.hpp"
 #include "experiments/w_sign/rows.hpp"
 #include "tests/catch.hpp"
@@ -77,7 +78,14 @@ std::vector<segments::OperationsRow> segment_operations() {
   R liang_barsky = small;
   liang_barsky.clipper = "homogeneous/liang_barsky";
   liang_barsky.divisions_per_rejected = 0;
-  return {small, several, liang_barsky};
+  std::vector<R> rows = {small, several, liang_barsky};
+  for (const char* mix : {"window_1_64", "cross_several"}) {
+    rows.push_back(
+        row_with<R>(&R::mix, mix, &R::clipper, "homogeneous/pruning", &R::cut_divisions, 1));
+    rows.push_back(
+        row_with<R>(&R::mix, mix, &R::clipper, "homogeneous/cyrus_beck", &R::cut_divisions, 6));
+  }
+  return rows;
 }
 
 std::vector<CountRow> counts() {
@@ -186,16 +194,28 @@ void add_depth(Fabricated& run) {
 }
 
 // A run in which every claim is confirmed, each table as small as its judges allow.
-std::vector<segments::PlaneRow> plane_divisions() {
-  using R = segments::PlaneRow;
-  std::vector<R> rows;
+void add_literature(Fabricated& run) {
+  using Plane = segments::PlaneRow;
+  std::vector<Plane> plane;
   for (const auto& [clipper, divisions] : {std::pair{"window/cohen_sutherland", 2.5},
                                            {"window/liang_barsky", 3.0},
-                                           {"window/nicholl_lee_nicholl", 2.0}}) {
-    rows.push_back(
-        row_with<R>(&R::mix, "both_ends_out", &R::clipper, clipper, &R::divisions, divisions));
+                                           {"window/nicholl_lee_nicholl", 2.0},
+                                           {"window/skala", 2.0},
+                                           {"window/midpoint_subdivision", 0.0}}) {
+    plane.push_back(row_with<Plane>(&Plane::mix, "both_ends_out", &Plane::clipper, clipper,
+                                    &Plane::divisions, divisions, &Plane::multiplications, 50.0,
+                                    &Plane::comparisons, 150.0));
   }
-  return rows;
+  run.set(plane);
+  using Convex = segments::ConvexRow;
+  std::vector<Convex> convex;
+  for (const std::int64_t edges : {4, 1024}) {
+    convex.push_back(row_with<Convex>(&Convex::edges, edges, &Convex::method, "convex/skala",
+                                      &Convex::divisions, 1.5));
+    convex.push_back(row_with<Convex>(&Convex::edges, edges, &Convex::method,
+                                      "convex/dual_subdivision", &Convex::timing, timing(20, 1)));
+  }
+  run.set(convex);
 }
 
 Fabricated all_confirmed() {
@@ -209,7 +229,7 @@ Fabricated all_confirmed() {
   run.set<segments::TimeRow>({{"inside", "homogeneous/liang_barsky", "float", timing(10, 1)},
                               {"outside", "homogeneous/liang_barsky", "float", timing(10, 1)}});
   run.set(segment_operations());
-  run.set(plane_divisions());
+  add_literature(run);
   run.set<segments::IntersectionRow>(
       {{"any plane: n . (x - p) >= 0", {0, 6, 1}},
        {"side of the frustum in view space: near x + left z >= 0", {0, 4, 1}},
@@ -380,11 +400,26 @@ std::vector<Alteration> alterations_of_rounding() {
 
 std::vector<Alteration> alterations_of_literature() {
   using Plane = segments::PlaneRow;
-  return {
-      {38,
-       altered(
-           +[](Plane& row) { row.divisions = 2.6; }, &Plane::clipper, "window/nicholl_lee_nicholl"),
-       kRefuted}};
+  using Convex = segments::ConvexRow;
+  using Segments = segments::OperationsRow;
+  const auto divides_more = +[](Plane& row) { row.divisions = 2.6; };
+  return {{38, altered(divides_more, &Plane::clipper, "window/nicholl_lee_nicholl"), kRefuted},
+          {51, altered(divides_more, &Plane::clipper, "window/midpoint_subdivision"), kRefuted},
+          {52, altered(divides_more, &Plane::clipper, "window/skala"), kRefuted},
+          {53,
+           altered(
+               +[](Convex& row) { row.divisions = 3; }, &Convex::method, "convex/skala"),
+           kRefuted},
+          {54,
+           altered(
+               +[](Convex& row) { row.timing->ns.median = 40; }, &Convex::edges, 1024,
+               &Convex::method, "convex/dual_subdivision"),
+           kRefuted},
+          {55,
+           altered(
+               +[](Segments& row) { row.cut_divisions = 6; }, &Segments::clipper,
+               "homogeneous/pruning"),
+           kConditional}};
 }
 
 std::vector<Alteration> alterations() {

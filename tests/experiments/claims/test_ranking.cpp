@@ -3,6 +3,7 @@
 // Published rankings are judged by the times alone.
 #include "experiments/claims/ranking.hpp"
 #include "experiments/cost/rows.hpp"
+#include "experiments/segments/convex_windows.hpp"
 #include "experiments/segments/literature.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/claims/fabricated.hpp"
@@ -17,35 +18,47 @@ Timing timing(double speedup) {
   return t;
 }
 
-// The winner so many times as fast as every other on each of the mixes.
+// The winner so many times as fast as every other in one case, and in another.
+using Leads = std::array<double, 2>;
+const std::array<std::string, 2> kMixes = {"box_2", "inside"};
+constexpr std::array<std::int64_t, 2> kEdges = {4, 64};
+
 template <class MixRow>
-Fabricated times_of(const Ranking& ranking,
-                    const std::vector<std::pair<std::string, double>>& mixes) {
+MixRow timed_row(std::size_t mix, std::string_view clipper, double speedup) {
+  return row_with<MixRow>(&MixRow::mix, kMixes[mix], &MixRow::clipper, clipper, &MixRow::scalar,
+                          "float", &MixRow::timing, timing(speedup));
+}
+template <>
+segments::ConvexRow timed_row(std::size_t mix, std::string_view clipper, double speedup) {
+  using R = segments::ConvexRow;
+  return row_with<R>(&R::edges, kEdges[mix], &R::method, clipper, &R::timing, timing(speedup));
+}
+
+template <class MixRow>
+Fabricated times_of(const Ranking& ranking, const Leads& leads) {
   std::vector<MixRow> rows;
-  const auto add = [&](const std::string& mix, std::string_view clipper, double speedup) {
-    rows.push_back(row_with<MixRow>(&MixRow::mix, mix, &MixRow::clipper, clipper, &MixRow::scalar,
-                                    "float", &MixRow::timing, timing(speedup)));
-  };
-  for (const auto& [mix, times] : mixes) {
-    add(mix, ranking.method, 2 * times);
-    for (const std::string_view other : ranking.others) add(mix, other, 2);
+  for (std::size_t mix = 0; mix < leads.size(); ++mix) {
+    rows.push_back(timed_row<MixRow>(mix, ranking.method, 2 * leads[mix]));
+    for (const std::string_view other : ranking.others) {
+      rows.push_back(timed_row<MixRow>(mix, other, 2));
+    }
   }
   Fabricated run;
   run.set(rows);
   return run;
 }
 
-Fabricated fabricated(const Ranking& ranking,
-                      const std::vector<std::pair<std::string, double>>& mixes) {
+Fabricated fabricated(const Ranking& ranking, const Leads& leads) {
   switch (ranking.field) {
-    case Field::plane: return times_of<segments::PlaneRow>(ranking, mixes);
-    case Field::segments: return times_of<segments::TimeRow>(ranking, mixes);
-    default: return times_of<cost::Row>(ranking, mixes);
+    case Field::plane: return times_of<segments::PlaneRow>(ranking, leads);
+    case Field::convex_windows: return times_of<segments::ConvexRow>(ranking, leads);
+    case Field::segments: return times_of<segments::TimeRow>(ranking, leads);
+    default: return times_of<cost::Row>(ranking, leads);
   }
 }
 
-Judgement judged(const Ranking& ranking, double in_box, double inside) {
-  return judge(ranking, fabricated(ranking, {{"box_2", in_box}, {"inside", inside}}).results());
+Judgement judged(const Ranking& ranking, double first, double second) {
+  return judge(ranking, fabricated(ranking, {first, second}).results());
 }
 
 }  // namespace
@@ -58,7 +71,8 @@ TEST_CASE(
     CHECK(judged(ranking, enough, enough).verdict == Verdict::confirmed);
     const Judgement mixed = judged(ranking, enough, little);
     CHECK(mixed.verdict == Verdict::conditional);
-    CHECK(mixed.because.find("The mix is box_2.") != std::string::npos);
+    const std::string where = ranking.field == Field::convex_windows ? "4 edges" : "box_2";
+    CHECK(mixed.because.find("The mix is " + where + ".") != std::string::npos);
     CHECK(judged(ranking, little, little).verdict == Verdict::refuted);
   }
 }
@@ -84,6 +98,14 @@ TEST_CASE(
     for (const std::string_view other : ranking.others) CHECK(other != ranking.method);
     CHECK(ranking.times_as_fast >= 1);
   }
+}
+
+TEST_CASE("rankings: a time that is not there is named") {
+  const Ranking ranking = published_rankings().front();
+  Fabricated run;
+  run.set<segments::PlaneRow>({timed_row<segments::PlaneRow>(0, ranking.method, 2)});
+  CHECK_THROWS_WITH(judge(ranking, run.results()),
+                    Catch::Contains("no table has a time of window/cohen_sutherland on box_2"));
 }
 
 TEST_CASE("rankings: winners are counted by what became of their claims") {

@@ -45,7 +45,7 @@ struct ViewCyrusBeckWith {
                             NdcPolygon<T, K>& out) const {
     out.clear();
     const auto is_inside = [&](Plane side, std::size_t i) {
-      return T(0) < signed_distance(projection.frustum, side, segment[i]);
+      return T(0) < signed_distance<kForm>(projection, side, segment[i]);
     };
     if (is_beyond_open_side(projection.volume, 2, is_inside)) return;
     const Parameters<T> kept = parameters(projection, segment);

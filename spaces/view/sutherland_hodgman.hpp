@@ -98,7 +98,7 @@ struct ViewSutherlandHodgmanWith {
   static constexpr bool is_beyond_open_side(const Projection<T>& projection,
                                             const ViewTriangle<T, K>& triangle) {
     return clipscope::is_beyond_open_side(projection.volume, 3, [&](Plane side, std::size_t i) {
-      return T(0) < distance(projection, side, triangle[i].position);
+      return T(0) < view_distance<kForm>(projection, side, triangle[i].position);
     });
   }
 

@@ -35,7 +35,7 @@ struct ExactVertex {
   std::vector<Fraction> attributes;
 };
 
-// The closed intersection of primitive and volume.
+// The closure of what primitive and volume have in common.
 //
 // What is left of a primitive is
 //
@@ -68,10 +68,10 @@ struct RationalVertex {
 bool operator==(const RationalVertex& a, const RationalVertex& b);
 bool operator<(const RationalVertex& a, const RationalVertex& b);
 
-// What the vertices alone tell. `rejected`: all are outside of the same plane. `accepted`: all are
-// inside, with w > 0. `clipped`: the primitive must be cut to know more; it may turn out empty.
-// No arithmetic beyond doubles is done unless a vertex is within rounding of a plane.
-// Pre-conditions: those of `clip`.
+// What the vertices alone tell. `rejected`: all are outside of one plane, or on it if it is open.
+// `accepted`: none is outside of any, and w > 0. `clipped`: the primitive must be cut to know more;
+// it may turn out empty. No arithmetic beyond doubles is done unless a vertex is within rounding of
+// a plane. Pre-conditions: those of `clip`.
 Verdict classify(const Truth& truth, std::span<const InputVertex> vertices, int attribute_count);
 Verdict classify(const Truth& truth, const InputTriangle& triangle);
 

@@ -30,6 +30,9 @@ constexpr BugInfo kBugs[] = {
     {Bug::drops_whole, "drops_whole", "drops what has a vertex outside"},
     {Bug::last_edge_left_out, "last_edge_left_out", "the edge from the last vertex is not cut"},
     {Bug::eight_vertices, "eight_vertices", "room for eight vertices"},
+    {Bug::closed_sides, "closed_sides", "open sides own their points"},
+    {Bug::opposite_sides_open, "opposite_sides_open",
+     "the sides opposite to the open ones are open"},
     {Bug::skips_left, "skips_left", "the left plane left out"},
     {Bug::skips_right, "skips_right", "the right plane left out"},
     {Bug::skips_bottom, "skips_bottom", "the bottom plane left out"},
@@ -63,6 +66,7 @@ class Textbook {
       }
       if (bug_ == Bug::eight_vertices && polygon.size() > 8) polygon.resize(8);
     }
+    if (!is_owned(polygon)) return {};
     return polygon;
   }
 
@@ -98,6 +102,20 @@ class Textbook {
     const bool from_minus_w =
         volume_.depth == DepthRange::minus_one_to_one && bug_ != Bug::depth_from_zero;
     return from_minus_w ? Rational(v[kW] + v[kZ]) : v[kZ];
+  }
+
+  // Whether some vertex of the closed part is strictly inside, for each open side.
+  bool is_owned(const std::vector<Vertex>& part) const {
+    if (bug_ == Bug::closed_sides) return true;
+    const OpenSides& open = volume_.open_sides;
+    const bool is_open[] = {open.left, open.right, open.bottom, open.top};
+    for (int side = 0; side < kNear; ++side) {
+      const bool opposite = bug_ == Bug::opposite_sides_open;
+      if (!is_open[opposite ? side ^ 1 : side]) continue;
+      const auto is_inside = [&](const Vertex& v) { return distance(v, side) > 0; };
+      if (std::ranges::none_of(part, is_inside)) return false;
+    }
+    return true;
   }
 
   bool is_given_up(const std::vector<Vertex>& polygon) const {

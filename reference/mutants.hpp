@@ -37,6 +37,8 @@ enum class Bug {
   drops_whole,
   last_edge_left_out,
   eight_vertices,
+  closed_sides,
+  opposite_sides_open,
   skips_left,
   skips_right,
   skips_bottom,

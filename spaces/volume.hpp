@@ -24,6 +24,7 @@
 // or a segment or triangle all in it, comes out of one tile alone.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 namespace clipscope {
@@ -61,9 +62,11 @@ struct OpenSides {
   constexpr OpenSides(bool left_open, bool right_open, bool bottom_open, bool top_open)
       : left(left_open), right(right_open), bottom(bottom_open), top(top_open) {}
 
-  // Whether any does not own its points.
-  constexpr explicit operator bool() const { return left || right || bottom || top; }
-  friend constexpr bool operator==(const OpenSides&, const OpenSides&) = default;
+  // Whether any does not own its points: asked for every primitive, so the four at once.
+  constexpr explicit operator bool() const { return std::bit_cast<std::uint32_t>(*this) != 0; }
+  friend constexpr bool operator==(const OpenSides& a, const OpenSides& b) {
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+  }
 };
 
 struct ClipVolume {

@@ -96,11 +96,12 @@ class CaseReader {
     if (key == "space") return read_space();
     if (key == "depth_clamp") return read_depth_clamp();
     if (key == "clip_distances") return read_clip_distances();
+    if (key == "half_open") return read_half_open();
     if (key == "vertex") return read_vertex();
     if (key == "expect") return read_expected();
     if (key == "hand") return read_by_hand();
     text_.fail(
-        "found '{}'; expected case, source, why, primitive, space, depth_clamp, clip_distances, vertex, expect or hand",
+        "found '{}'; expected case, source, why, primitive, space, depth_clamp, clip_distances, half_open, vertex, expect or hand",
         key);
   }
 
@@ -218,6 +219,21 @@ class CaseReader {
     require(1 <= n && n <= kMaxClipDistances, "found {} clip distances; expected 1 to {}", n,
             kMaxClipDistances);
     case_.volume.clip_distances = static_cast<int>(n);
+  }
+
+  // half_open [SIDE ...]
+  void read_half_open() {
+    OpenSides& open = case_.volume.open_sides;
+    if (text_.words().size() == 1) open = true;
+    for (std::size_t i = 1; i < text_.words().size(); ++i) {
+      bool* const side = find_side(open, text_.word(i));
+      require(
+          side != nullptr,
+          "found '{}'; expected 'half_open', for right and bottom, or it and some of left, right, bottom and top",
+          text_.word(i));
+      require(!*side, "found the side '{}' twice; expected it once", text_.word(i));
+      *side = true;
+    }
   }
 
   // vertex X Y Z [W] [| ATTRIBUTE ...]

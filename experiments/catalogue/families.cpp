@@ -82,8 +82,15 @@ void add_mirrored(Family& family, const char* label, bool mirror_x, bool mirror_
     low = -std::exchange(high, -low);
     shear = -shear;
   };
-  if (mirror_x) mirror(0, f.left, f.right, f.shear_x);
-  if (mirror_y) mirror(1, f.bottom, f.top, f.shear_y);
+  OpenSides& open = c.volume.open_sides;
+  if (mirror_x) {
+    mirror(0, f.left, f.right, f.shear_x);
+    std::swap(open.left, open.right);
+  }
+  if (mirror_y) {
+    mirror(1, f.bottom, f.top, f.shear_y);
+    std::swap(open.bottom, open.top);
+  }
   family.add(label, std::move(c));
 }
 
@@ -94,6 +101,8 @@ void add_swapped(Family& family) {
   std::swap(f.left, f.bottom);
   std::swap(f.right, f.top);
   std::swap(f.shear_x, f.shear_y);
+  std::swap(c.volume.open_sides.left, c.volume.open_sides.bottom);
+  std::swap(c.volume.open_sides.right, c.volume.open_sides.top);
   family.add("x and y swapped", std::move(c));
 }
 

@@ -28,6 +28,14 @@ constexpr std::size_t vertices_of(Primitive primitive) {
   return primitive == Primitive::polygon ? 0 : static_cast<std::size_t>(primitive) + 1;
 }
 
+// The side of that name: left, right, bottom or top; else none.
+inline bool* find_side(OpenSides& sides, std::string_view name) {
+  if (name == "left") return &sides.left;
+  if (name == "right") return &sides.right;
+  if (name == "bottom") return &sides.bottom;
+  return name == "top" ? &sides.top : nullptr;
+}
+
 struct ExactOutcome {
   reference::Verdict verdict = reference::Verdict::rejected;
   std::size_t vertices = 0;  // of the exact polygon

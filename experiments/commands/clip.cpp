@@ -277,6 +277,7 @@ Examples:
   echo '0 0 0 1 5  2 0 0 1 6  0 2 0 1 7' | clipscope clip --space clip --attributes 1 --flat 1
   echo '0 0 0 1 7  2 0 0 1 -1  0 .5 0 1 7' |
     clipscope clip --space clip --attributes 1 --clip-distances 1
+  echo '1 0 0 1  1 .5 0 1' | clipscope clip --space clip --primitive segment --half-open=right
   echo '1.1 0 0 1' | clipscope clip --space clip --primitive point --clipper pop_free \
     --point-size 32 --viewport 256x256)";
 

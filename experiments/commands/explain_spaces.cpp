@@ -3,6 +3,7 @@
 // One primitive in each space.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -66,7 +67,8 @@ std::string position_text(const Vertex<S, T, kRunTime>& v) {
   return text;
 }
 
-// Cuts by each plane of the volume that some vertex is outside of, and prints what is left.
+// Cuts by each plane of the volume that some vertex is outside of, and prints what is left; of what
+// an open side does not own nothing is.
 // where: the frustum in view space, else the depth range.
 template <Space S, class T, class Where>
 void print_cuts(Vertices<S, T> polygon, const ClipVolume& volume, const Where& where) {
@@ -90,6 +92,12 @@ void print_cuts(Vertices<S, T> polygon, const ClipVolume& volume, const Where& w
     for (std::size_t v = 0; v < polygon.size(); ++v) {
       fmt::print("      {}: {}\n", v, position_text(polygon[v]));
     }
+  });
+  for_each_plane(open_planes_of(volume), kOrder, [&](Plane side) {
+    const auto is_inside = [&](const auto& v) { return T(0) < signed_distance(where, side, v); };
+    if (polygon.empty() || std::ranges::any_of(polygon, is_inside)) return;
+    fmt::print("    {}: open, and no vertex is strictly inside of it\n", plane_text(side));
+    polygon.clear();
   });
   if (polygon.size() < 3) fmt::print("    nothing is left\n");
 }

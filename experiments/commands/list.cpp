@@ -43,7 +43,8 @@ std::string promise_text(const Promise& promise) {
                                     {promise.confined, "confined"},
                                     {promise.correctly_rounded, "correctly rounded"}});
   text += listed("; does not take ", {{!promise.depth_clamp, "depth clamp"},
-                                      {!promise.clip_distances, "clip distances"}});
+                                      {!promise.clip_distances, "clip distances"},
+                                      {!promise.open_sides, "open sides"}});
   return text;
 }
 

@@ -168,9 +168,11 @@ struct TextPrimitive {
   std::vector<double> values;  // (dimension + K) for each vertex; the scalar holds them exactly
 };
 
-// What clips beside the planes of a projection: --depth-clamp, --clip-distances and --plane.
+// What clips beside the planes of a projection, and how these clip: --depth-clamp, --half-open,
+// --clip-distances and --plane.
 struct VolumeOptions {
   DepthClamp depth_clamp = {};
+  OpenSides open_sides = {};
   int clip_distances = 0;
   std::vector<std::array<double, 4>> planes;
 };

@@ -48,6 +48,26 @@ void add_depth_clamp_option(CLI::App& command, DepthClamp& clamp) {
       ->each(set);
 }
 
+// A flag that may say which sides: --half-open, --half-open=right,top.
+void add_half_open_option(CLI::App& command, OpenSides& open) {
+  const auto set = [&open](const std::string& sides) {
+    open = sides == "top-left";
+    if (open) return;
+    for (const std::string& side : CLI::detail::split(sides, ',')) {
+      bool* const is_open = find_side(open, side);
+      if (is_open == nullptr) {
+        throw CLI::ValidationError(
+            "--half-open",
+            fmt::format("'{}' given, some of left, right, bottom and top expected", side));
+      }
+      *is_open = true;
+    }
+  };
+  const std::string help =
+      "The right and bottom sides do not own what lies in them (top-left rule): of tiles side by side one alone answers it. With =right,top or other sides these do not";
+  command.add_flag("--half-open{top-left}", help)->each(set);
+}
+
 }  // namespace
 
 void add_primitive_option(CLI::App& command, Primitive& primitive) {
@@ -65,6 +85,7 @@ void add_volume_options(CLI::App& command, VolumeOptions& options) {
              "The first N attributes are clip distances: inside is >= 0 [0]")
       ->check(CLI::Range(0, kMaxClipDistances));
   add_depth_clamp_option(command, options.depth_clamp);
+  add_half_open_option(command, options.open_sides);
   const auto add = [&options](const std::vector<double>& numbers) {
     options.planes.push_back(parse_plane(numbers));
   };
@@ -87,6 +108,7 @@ void set_volume(const VolumeOptions& options, const Format& format, Batch& batch
     }
   }
   batch.volume.depth_clamp = options.depth_clamp;
+  batch.volume.open_sides = options.open_sides;
   batch.volume.clip_distances = options.clip_distances;
   batch.planes = options.planes;
 }
@@ -102,9 +124,12 @@ void check_takes(const Contestant& contestant, const Batch& batch) {
         "--clipper: {} cuts against the planes of a frustum, so a --matrix is not applicable; take one that starts in clip space, such as homogeneous/sutherland_hodgman",
         contestant.clipper);
   }
-  const bool depth_clamp = bool{batch.volume.depth_clamp} && !contestant.promise.depth_clamp;
+  const ClipVolume& volume = batch.volume;
+  const Promise& promise = contestant.promise;
   usage_error("--clipper: {} does not take {}", contestant.clipper,
-              depth_clamp ? "--depth-clamp" : "--clip-distances and --plane");
+              volume.depth_clamp && !promise.depth_clamp ? "--depth-clamp"
+              : volume.open_sides && !promise.open_sides ? "--half-open"
+                                                         : "--clip-distances and --plane");
 }
 
 }  // namespace clipscope::experiments::commands

@@ -47,7 +47,11 @@ std::string place_of(const HardCase& hard_case, const reference::InputVertex& ve
     }
   }
   // Where w = 0 only the planes of depth that a clamp leaves out can tell it from the point at 0.
-  return code == 0 && clip[3] == 0 ? "outside by definition" : outcode_text(code);
+  if (code == 0 && clip[3] == 0) return "outside by definition";
+  if (code == 0 && is_beyond_open_side(hard_case.volume, std::array{position})) {
+    return "on an open side";
+  }
+  return outcode_text(code);
 }
 
 double px_between(const ExactPosition& a, const ExactPosition& b) {

@@ -10,6 +10,7 @@
 
 #include "experiments/hard_cases/case_panels.hpp"
 #include "experiments/machine/files.hpp"
+#include "experiments/report/outcode_text.hpp"
 #include "experiments/scenes/text_file.hpp"
 #include "experiments/survey/verdicts.hpp"
 #include "experiments/table/row.hpp"
@@ -35,6 +36,14 @@ std::string clamped_plane(DepthClamp clamp) {
   return clamp.near ? " (near)" : " (far)";
 }
 
+// " right bottom".
+std::string open_sides_text(const ClipVolume& volume) {
+  std::string text;
+  for_each_plane(open_planes_of(volume), kAllPlanes,
+                 [&](Plane side) { text += ' ' + plane_text(side); });
+  return text;
+}
+
 std::string title_text(const HardCase& c) {
   const ClipVolume& volume = c.volume;
   std::string text = fmt::format("{}: a {} in {} space", c.name, to_string(c.primitive),
@@ -44,6 +53,7 @@ std::string title_text(const HardCase& c) {
   if (volume.depth == DepthRange::zero_to_one) text += ", depth 0 to 1";
   if (volume.depth == DepthRange::reversed) text += ", depth reversed";
   if (volume.depth_clamp) text += ", depth clamp" + clamped_plane(volume.depth_clamp);
+  if (volume.open_sides) text += ", half-open:" + open_sides_text(volume);
   if (volume.clip_distances > 0) {
     text += ", " + counted(volume.clip_distances, "clip distance", "clip distances");
   }

@@ -169,6 +169,19 @@ void judge_containment(const ClipVolume& volume, const Case<N>& c, PromiseCheck&
   }
 }
 
+// Nothing is to be drawn where no vertex is strictly inside of an open side moved outwards.
+template <class N>
+void judge_ownership(const reference::Truth& truth, const PromiseChecker::Setting& s,
+                     const Case<N>& c, PromiseCheck& check) {
+  if (!truth.volume().open_sides || c.polygon.empty()) return;
+  for (const reference::Truth::HalfSpace& half_space : truth.inset(-c.tolerance).half_spaces()) {
+    const auto is_inside = [&](const InputVertex& v) { return sign(half_space.form, v) > 0; };
+    if (!half_space.is_open || std::ranges::any_of(s.vertices, is_inside)) continue;
+    check = {PromiseVerdict::broken, std::numeric_limits<double>::infinity(),
+             fmt::format("all of the {} is on or outside of an open side, and was drawn", c.noun)};
+  }
+}
+
 template <class N>
 void judge_vertices(const Case<N>& c, PromiseCheck& check) {
   for (const Lifted<N>& p : c.polygon) {
@@ -392,6 +405,7 @@ PromiseCheck PromiseChecker::check_distances(const Promise& promise, const Setti
   for (const VertexView& v : polygon) c.polygon.push_back(lift(v, c));
   PromiseCheck check;
   if (promise.contained) judge_containment(volume_, c, check);
+  if (promise.contained) judge_ownership(truth_, s, c, check);
   if (promise.domain != Promise::Domain::all_or_nothing) {
     judge_vertices(c, check);
   } else if (!polygon.empty()) {

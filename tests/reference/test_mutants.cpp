@@ -86,6 +86,7 @@ TEST_CASE("mutants: the textbook clipper without a bug equals the reference") {
   frustum.near = 0.1;
   const Truth truth =
       GENERATE_COPY(Truth::of_clip(DepthRange::minus_one_to_one), Truth::of_frustum(frustum),
+                    Truth::of_clip(ClipVolume{.open_sides = true}),
                     Truth::of_matrix(Projection<float>(frustum_cast<float>(frustum))));
   std::mt19937 random(2);
   std::uniform_real_distribution<float> coordinate(-5, 5);
@@ -100,6 +101,38 @@ TEST_CASE("mutants: the textbook clipper without a bug equals the reference") {
     CAPTURE(p);
     REQUIRE(textbook(Bug::none, truth, t) == vertex_set(clip(truth, t)));
   }
+}
+
+// In a side: its owner keeps it, a side that is open does not.
+TEST_CASE("mutants: who takes open sides for closed ones, or the opposite ones, is caught") {
+  const Truth truth = Truth::of_clip(ClipVolume{.open_sides = true});
+  const InputTriangle right = triangle({1, 0, 0, 1}, {1, .5, 0, 1}, {2, 0, 1, 2});
+  const InputTriangle left = triangle({-1, 0, 0, 1}, {-1, .5, 0, 1}, {-2, 0, 1, 2});
+  CHECK(catches(Bug::closed_sides, truth, right.vertices, 3));
+  CHECK_FALSE(catches(Bug::closed_sides, truth, left.vertices, 3));
+  CHECK(catches(Bug::opposite_sides_open, truth, right.vertices, 3));
+  CHECK(catches(Bug::opposite_sides_open, truth, left.vertices, 3));
+}
+
+// Coordinates of -1, 0 and 1 and their doubles: vertices, edges and whole triangles in the sides.
+TEST_CASE("mutants: the textbook clipper equals the reference on triangles that touch open sides") {
+  const Truth truth = Truth::of_clip(
+      ClipVolume{.open_sides = GENERATE(OpenSides(true), OpenSides(true, true, true, true))});
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> coordinate(-1, 1), scale(0, 2);
+  int owned = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::array<Position, 3> p;
+    for (Position& q : p) {
+      const int s = scale(random);
+      q = {s * coordinate(random) * 1.0, s * coordinate(random) * 1.0, 0, s * 1.0};
+    }
+    const InputTriangle t = triangle(p[0], p[1], p[2]);
+    CAPTURE(p);
+    REQUIRE(textbook(Bug::none, truth, t) == vertex_set(clip(truth, t)));
+    owned += clip(truth, t).vertices.empty() ? 0 : 1;
+  }
+  CHECK(owned > 200);
 }
 
 }  // namespace

@@ -127,6 +127,21 @@ TEST_CASE("catalogue: depth_clamp stands for both planes or names one") {
                     Catch::Contains("theme.cases:6") && Catch::Contains("'side'"));
 }
 
+OpenSides sides_of(const std::string& line) {
+  const std::string text =
+      "case a\nsource s\nwhy w\nprimitive point\nspace clip gl\n" + line + "\nvertex 0 0 0 1\n";
+  return parse_catalogue("folder/theme.cases", text).at(0).volume.open_sides;
+}
+
+TEST_CASE("catalogue: half_open stands for the top-left rule or names the open sides") {
+  CHECK(sides_of("half_open") == OpenSides(true));
+  CHECK(sides_of("half_open right bottom") == OpenSides(true));
+  CHECK(sides_of("half_open top left") == OpenSides(true, false, false, true));
+  CHECK_THROWS_WITH(sides_of("half_open near"),
+                    Catch::Contains("theme.cases:6") && Catch::Contains("'near'"));
+  CHECK_THROWS_WITH(sides_of("half_open left left"), Catch::Contains("'left' twice"));
+}
+
 const std::string kHead =
     "case a\nsource s\nwhy w\nprimitive segment\nspace clip zero_to_one\n";  // 5 lines
 

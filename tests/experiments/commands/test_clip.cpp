@@ -194,6 +194,7 @@ TEST_CASE("clip: a clipper takes the volume's options unless its promise says th
     };
     check("--depth-clamp", "depth clamp");
     check("--plane 1,0,0,3", "clip distances");
+    check("--half-open", "open sides");
   }
   CHECK(met.size() == 2);
 }
@@ -360,6 +361,23 @@ TEST_CASE("clip: depth is clamped at both planes or at one") {
   CHECK(depths("--depth-clamp=near") == std::vector<double>{-3, 1});
   CHECK(depths("--depth-clamp=far") == std::vector<double>{-1, 3});
   CHECK(folder.run("clip --space clip --depth-clamp=side", "").code == 2);
+}
+
+// The borders x = w and y = w of a tile are x = -w and y = -w of its neighbours.
+TEST_CASE("clip: half-open tiles answer a point in their border once") {
+  const Folder folder;
+  const auto kept = [&](const std::string& option) {
+    return rows_of(folder, "--primitive point --space clip " + option,
+                   "1 0 0 1\n-1 0 0 1\n0 1 0 1\n0 -1 0 1\n");
+  };
+  CHECK(kept("").size() == 4);
+  CHECK(kept("--half-open") == Lines{"1,0,-1,0,0,1", "2,0,0,1,0,1"});
+  CHECK(kept("--half-open=top-left") == kept("--half-open"));
+  CHECK(kept("--half-open=right,top") == Lines{"1,0,-1,0,0,1", "3,0,0,-1,0,1"});
+  CHECK(kept("--half-open=left,right,bottom,top").empty());
+  const Result r = folder.run("clip --space clip --half-open=near", "");
+  CHECK(r.code == 2);
+  CHECK(contains(r.err, "'near' given, some of left, right, bottom and top expected"));
 }
 
 TEST_CASE("clip: a user plane cuts in the space of the input") {

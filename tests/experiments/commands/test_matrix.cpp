@@ -161,6 +161,8 @@ TEST_CASE("explain: takes planes, clip distances, depth clamp, primitives and a 
                  "4 vertices, exact 4"));
   CHECK(contains(explained("--perspective 90,1,1,3 --depth-clamp", kCrossing),
                  "4 vertices, exact 4"));
+  CHECK(contains(explained("--perspective 90,1,1,9 --half-open", "2 0 -2  3 1 -3  3 -1 -3\n"),
+                 "right: open, and no vertex is strictly inside of it"));
   CHECK(contains(explained("--perspective 90,1,1,9 --attributes 1 --clip-distances 1",
                            "0 0 -4 1  2 0 -4 -1  0 2 -4 1\n"),
                  "4 vertices, exact 4"));

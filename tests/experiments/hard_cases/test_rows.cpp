@@ -58,6 +58,8 @@ const std::map<Bug, std::string> kSharpCases = {
     {Bug::drops_whole, "user_planes/one"},
     {Bug::last_edge_left_out, "user_planes/one"},
     {Bug::eight_vertices, "planes_touched/nine_gon"},
+    {Bug::closed_sides, "half_open/triangle_in_right"},
+    {Bug::opposite_sides_open, "half_open/triangle_in_left"},
     {Bug::skips_left, "slivers_and_slopes/is_segment"},
     {Bug::skips_right, "from_the_field/piglit_strip_1"},
     {Bug::skips_bottom, "far/diagonal_2_pow_24"},

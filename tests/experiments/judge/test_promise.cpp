@@ -87,6 +87,30 @@ TEST_CASE("promise: a vertex outside the volume breaks it") {
       "outside the volume");
 }
 
+// x = 0 is the right side of a tile and the left side of the next one.
+TEST_CASE("promise: drawing what lies in an open side breaks it") {
+  SceneTriangle edge_on{};
+  edge_on[0].position = {0, 0, -2};
+  edge_on[1].position = {0, 0.5f, -2};
+  edge_on[2].position = {0, 0, -4};
+  const auto verdict_in = [&](const Frustum<float>& tile, const OpenSides& asked) {
+    View view;
+    view.frustum = tile;
+    Batch batch = batch_of(view, {&edge_on, 1});
+    batch.volume.open_sides = asked;
+    const Answers answers = clip(find_contestant("homogeneous/sutherland_hodgman", "exact"), batch);
+    batch.volume.open_sides = true;
+    const Promise promise = find_contestant("homogeneous/sutherland_hodgman", "exact").promise;
+    return PromiseChecker(batch)
+        .check(promise, reference::input_triangle(edge_on), answers[0])
+        .verdict;
+  };
+  CHECK(verdict_in({.right = 0}, true) == PromiseVerdict::kept);
+  CHECK(verdict_in({.left = 0}, true) == PromiseVerdict::kept);
+  CHECK(verdict_in({.right = 0}, {}) == PromiseVerdict::broken);
+  CHECK(verdict_in({.left = 0}, OpenSides(true, false, false, false)) == PromiseVerdict::broken);
+}
+
 TEST_CASE("promise: a lost corner breaks it") {
   check_broken([](Vertices& v) { v.pop_back(); }, "was not drawn");
 }

@@ -21,6 +21,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 
 #include "spaces/planes.hpp"
@@ -28,6 +29,9 @@
 #include "spaces/projection.hpp"
 
 namespace clipscope {
+
+// As a bound: there is none where numbers are rounded. Exact scalars are promised the exact answer.
+inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 // What a clipper promises for finite input. The error bound is a backward error: the polygon is
 // what exact clipping would give had each clip-space coordinate been moved by at most

@@ -29,10 +29,16 @@
 #include "spaces/whole/drop.hpp"
 #include "spaces/window/cohen_sutherland.hpp"
 #include "spaces/window/cyrus_beck.hpp"
+#include "spaces/window/kodituwakku_wijeweera_chamikara.hpp"
 #include "spaces/window/liang_barsky.hpp"
 #include "spaces/window/liang_barsky_polygon.hpp"
 #include "spaces/window/maillot.hpp"
+#include "spaces/window/matthes_drakopoulos.hpp"
+#include "spaces/window/midpoint_subdivision.hpp"
 #include "spaces/window/nicholl_lee_nicholl.hpp"
+#include "spaces/window/ray.hpp"
+#include "spaces/window/skala.hpp"
+#include "spaces/window/sobkow_pospisil_yang.hpp"
 
 namespace clipscope {
 
@@ -65,23 +71,29 @@ using AllClippers = TriangleClippers<ViewAndClip<Textbook>,                     
                                      ViewAndClip<WholeAllOutside>>;
 
 // Clippers of segments.
-using AllSegmentClippers = SegmentClippers<ViewOnly<ViewCyrusBeck>,                          //
-                                           ViewOnly<ViewCyrusBeckUnitNormals>,               //
-                                           ViewAndClip<HomogeneousCyrusBeck>,                //
-                                           ViewAndClip<HomogeneousBlinn>,                    //
-                                           ViewAndClip<HomogeneousCohenSutherland>,          //
-                                           ViewAndClip<HomogeneousLiangBarsky>,              //
-                                           ViewAndClip<HomogeneousLiangBarskyDivisionFree>,  //
-                                           ViewAndClip<CvvCohenSutherland>,                  //
-                                           ViewAndClip<CvvLiangBarsky>,                      //
-                                           ViewAndClip<CvvLiangBarskyDivisionFree>,          //
-                                           ViewAndClip<CvvLiangBarskyNaive>,                 //
-                                           ViewAndClip<CvvSkalaPolyhedron>,                  //
-                                           ViewAndClip<WindowCohenSutherland>,               //
-                                           ViewAndClip<WindowCyrusBeck>,                     //
-                                           ViewAndClip<WindowLiangBarsky>,                   //
-                                           ViewAndClip<WindowLiangBarskyDivisionFree>,       //
-                                           ViewAndClip<WindowNichollLeeNicholl>>;
+using AllSegmentClippers = SegmentClippers<ViewOnly<ViewCyrusBeck>,                           //
+                                           ViewOnly<ViewCyrusBeckUnitNormals>,                //
+                                           ViewAndClip<HomogeneousCyrusBeck>,                 //
+                                           ViewAndClip<HomogeneousBlinn>,                     //
+                                           ViewAndClip<HomogeneousCohenSutherland>,           //
+                                           ViewAndClip<HomogeneousLiangBarsky>,               //
+                                           ViewAndClip<HomogeneousLiangBarskyDivisionFree>,   //
+                                           ViewAndClip<CvvCohenSutherland>,                   //
+                                           ViewAndClip<CvvLiangBarsky>,                       //
+                                           ViewAndClip<CvvLiangBarskyDivisionFree>,           //
+                                           ViewAndClip<CvvLiangBarskyNaive>,                  //
+                                           ViewAndClip<CvvSkalaPolyhedron>,                   //
+                                           ViewAndClip<WindowCohenSutherland>,                //
+                                           ViewAndClip<WindowCyrusBeck>,                      //
+                                           ViewAndClip<WindowLiangBarsky>,                    //
+                                           ViewAndClip<WindowLiangBarskyDivisionFree>,        //
+                                           ViewAndClip<WindowNichollLeeNicholl>,              //
+                                           ViewAndClip<WindowMidpointSubdivision>,            //
+                                           ViewAndClip<WindowSobkowPospisilYang>,             //
+                                           ViewAndClip<WindowSkala>,                          //
+                                           ViewAndClip<WindowRay>,                            //
+                                           ViewAndClip<WindowKodituwakkuWijeweeraChamikara>,  //
+                                           ViewAndClip<WindowMatthesDrakopoulos>>;
 
 // Clippers of points, of size 0 unless a PointSize is given.
 using AllPointClippers = PointClippers<ViewAndClip<PointPop>, ViewAndClip<PointPopFree>>;

@@ -30,6 +30,7 @@ std::string promise_text(const Promise& promise) {
   std::string text =
       fmt::format("{} ulp{}", promise.ulps,
                   promise.amplification == Promise::Amplification::w_ratio ? " * w_max/w_min" : "");
+  if (promise.ulps == kUnbounded) text = "exact in exact arithmetic, no bound in rounded";
   text += listed(", ", {{promise.domain == Promise::Domain::in_front, "in front only"},
                         {whole, "whole triangles"},
                         {!promise.covers, "loses visible parts"},

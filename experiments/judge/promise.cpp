@@ -439,7 +439,8 @@ PromiseCheck PromiseChecker::check(const Promise& promise, InputVertices vertice
   if (promise.amplification == Promise::Amplification::w_ratio && s.w.largest > 0) {
     s.unit *= s.w.largest / s.w.smallest;
   }
-  s.tolerance = (promise.ulps + (by_matrix_ ? kMatrixUlps : 0)) * s.unit;
+  // Exact arithmetic is promised the exact answer by whoever knows no bound, too.
+  if (s.unit > 0) s.tolerance = (promise.ulps + (by_matrix_ ? kMatrixUlps : 0)) * s.unit;
   if (!is_spoken_of(promise, s, polygon)) return {PromiseVerdict::outside_domain, 0, ""};
   if (!is_liftable(polygon)) {
     return {PromiseVerdict::broken, kInfinite,

@@ -69,6 +69,8 @@ class RectangleSpace {
 
   explicit constexpr RectangleSpace(const Rectangle<T>& rectangle) : rectangle_(rectangle) {}
 
+  constexpr const Rectangle<T>& rectangle() const { return rectangle_; }
+  constexpr const Vec2<T>& position(const Vec2<T>& p) const { return p; }
   constexpr Outcode planes() const { return kSidePlanes; }
   constexpr Outcode outcode(const Vec2<T>& p) const { return side_outcode(rectangle_, p); }
   constexpr T distance(Plane side, const Vec2<T>& p) const {
@@ -81,6 +83,9 @@ class RectangleSpace {
     r[side_axis(side)] = side_coordinate(rectangle_, side);
     r[along] = inside[along] + t * (outside[along] - inside[along]);
     return r;
+  }
+  constexpr Vec2<T> meet_at(Plane, const Vec2<T>&, const Vec2<T>&, const Vec2<T>& at) const {
+    return at;
   }
 
  private:
@@ -97,6 +102,8 @@ class WindowSegmentSpace {
 
   explicit constexpr WindowSegmentSpace(const Rectangle<T>& rectangle) : rectangle_(rectangle) {}
 
+  constexpr const Rectangle<T>& rectangle() const { return rectangle_; }
+  constexpr const Vec4<T>& position(const NdcVertex<T, K>& v) const { return v.position; }
   constexpr Outcode planes() const { return kSidePlanes; }
   constexpr Outcode outcode(const NdcVertex<T, K>& v) const {
     return side_outcode(rectangle_, v.position);
@@ -110,23 +117,59 @@ class WindowSegmentSpace {
     r.position[side_axis(side)] = side_coordinate(rectangle_, side);
     return r;
   }
+  constexpr NdcVertex<T, K> meet_at(Plane side, const NdcVertex<T, K>& inside,
+                                    const NdcVertex<T, K>& outside, const Vec2<T>& at) const {
+    const T t = crossing(distance(side, inside), distance(side, outside));
+    NdcVertex<T, K> r = cvv::interpolate_perspective(inside, outside, t);
+    r.position[0] = at[0];
+    r.position[1] = at[1];
+    return r;
+  }
 
  private:
+  // Within the segment, although rounding may have moved an end to a side that it does not reach.
+  static constexpr T crossing(const T& d_inside, const T& d_outside) {
+    if (d_inside == d_outside) return T(0);
+    const T t = cut_parameter(d_inside, d_outside);
+    if (!(T(0) < t)) return T(0);
+    if (!(t < T(1))) return T(1);
+    return t;
+  }
+
   Rectangle<T> rectangle_;
 };
 
+// A space for methods that compute coordinates of the plane themselves.
+//
+//   rectangle()                          the window
+//   position(p)                          its [0] and [1] are x and y
+//   meet_at(side, inside, outside, at)   the point at `at`, on the side; what else a point has is
+//                                        that of the segment where it crosses the side
+template <class S>
+concept PlanarSpace = SegmentSpace<S> && requires(const S space, const typename S::PointType& p,
+                                                  const Vec2<typename S::ScalarType>& at) {
+  { space.rectangle() } -> std::convertible_to<Rectangle<typename S::ScalarType>>;
+  { space.position(p)[0] } -> std::convertible_to<typename S::ScalarType>;
+  { space.meet_at(Plane::left, p, p, at) } -> std::same_as<typename S::PointType>;
+};
+
 namespace window {
+
+// Whether both coordinates are finite.
+template <Scalar T>
+constexpr bool is_finite_point(const Vec2<T>& p) {
+  return is_finite(p[0]) && is_finite(p[1]);
+}
 
 // The part of a segment of the plane that is in the rectangle, in the order of the segment; none if
 // at most a point is, or if a coordinate is not finite.
 template <class Method, Scalar T>
 constexpr std::optional<Segment2<T>> clip(const Method& method, const Rectangle<T>& rectangle,
                                           const Segment2<T>& segment) {
+  if (!is_finite_point(segment[0]) || !is_finite_point(segment[1])) return std::nullopt;
   const std::optional<Segment2<T>> rest = method(RectangleSpace<T>(rectangle), segment);
   if (!rest || is_same_position((*rest)[0], (*rest)[1])) return std::nullopt;
-  for (const Vec2<T>& p : *rest) {
-    if (!is_finite(p[0]) || !is_finite(p[1])) return std::nullopt;
-  }
+  if (!is_finite_point((*rest)[0]) || !is_finite_point((*rest)[1])) return std::nullopt;
   return rest;
 }
 

@@ -15,8 +15,10 @@ namespace clipscope {
 template <class Method>
 struct DepthCutThenWindow {
   template <Scalar T, int K>
-  static constexpr void clip(const ClipVolume& volume, const ClipSegment<T, K>& segment,
-                             NdcPolygon<T, K>& out) {
+  requires std::invocable < Method, const WindowSegmentSpace<T, K>
+  &, const std::array<NdcVertex<T, K>, 2>& >
+         static constexpr void clip(const ClipVolume& volume, const ClipSegment<T, K>& segment,
+                                    NdcPolygon<T, K>& out) {
     const auto divided = cvv::cut_and_divide(volume, ~kSidePlanes, segment);
     out.clear();
     if (divided) cvv::clip_divided<Method>(WindowSegmentSpace<T, K>(Rectangle<T>{}), *divided, out);

@@ -144,6 +144,29 @@ TEST_CASE("segment costs: in the plane Nicholl-Lee-Nicholl compares least and di
   CHECK(cost_in_plane<LiangBarskyClassical>(inside).counts.divisions == 4);
 }
 
+TEST_CASE("segment costs: who divides to accept or to reject in the plane") {
+  using Ends2 = std::array<std::array<float, 2>, 2>;
+  const Ends2 inside = {{{0, 0}, {0.5f, 0.25f}}};
+  const Ends2 beside = {{{-3, 0}, {-2, 5}}};
+  const Ends2 past_corner = {{{-3, 0.5f}, {0.5f, 3}}};
+  const Ends2 one_out = {{{0, 0}, {3, 0.5f}}};
+  const Ends2 across = {{{-3, 0}, {3, 0.5f}}};
+  const auto divisions = [&]<class Method>(Method) {
+    std::vector<std::uint64_t> counts;
+    for (const Ends2& s : {inside, beside, past_corner, one_out, across}) {
+      counts.push_back(cost_in_plane<Method>(s).counts.divisions);
+    }
+    return counts;
+  };
+  using Counts = std::vector<std::uint64_t>;
+  CHECK(divisions(MidpointSubdivision{}) == Counts{0, 0, 0, 0, 0});
+  CHECK(divisions(SobkowPospisilYang{}) == Counts{0, 0, 1, 1, 2});
+  CHECK(divisions(SkalaHomogeneous{}) == Counts{0, 0, 0, 1, 2});
+  CHECK(divisions(RayCorners{}) == Counts{0, 0, 0, 1, 2});
+  CHECK(divisions(KodituwakkuWijeweeraChamikara{}) == Counts{2, 4, 4, 2, 2});
+  CHECK(divisions(MatthesDrakopoulos{}) == Counts{0, 0, 3, 1, 2});
+}
+
 TEST_CASE("segment costs: Cyrus-Beck divides for every plane, whatever comes of it") {
   const Projection<Counted> projection{Frustum<Counted>{}};
   for (const Ends& ends :

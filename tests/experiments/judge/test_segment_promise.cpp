@@ -104,3 +104,26 @@ TEST_CASE("segment promise: across w = 0 the naive divide is outside its domain,
         PromiseVerdict::outside_domain);
   CHECK(check(kFull, answer, behind).verdict == PromiseVerdict::broken);
 }
+
+TEST_CASE("segment promise: without a bound floats are outside the domain, exact numbers judged") {
+  const Promise unbounded{.ulps = kUnbounded};
+  Vertices answer = clipped_by(HomogeneousLiangBarsky{}, crossing());
+  CHECK(check(unbounded, answer, crossing()).verdict == PromiseVerdict::outside_domain);
+
+  ViewSegment<Exact, K> exact{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (int c = 0; c < 3; ++c) exact[i].position[c] = Exact(crossing()[i].position[c]);
+    for (int k = 0; k < K; ++k) exact[i].attributes[k] = Exact(crossing()[i].attributes[k]);
+  }
+  NdcPolygon<Exact, K> out;
+  HomogeneousLiangBarsky{}(Projection<Exact>(Frustum<Exact>{}), exact, out);
+  const std::array ends = {reference::input_vertex(crossing()[0]),
+                           reference::input_vertex(crossing()[1])};
+  const auto judged = [&] {
+    const std::vector<NdcVertex<Exact, K>> vertices(out.begin(), out.end());
+    return PromiseChecker(Frustum<double>{}).check(unbounded, ends, K, answer_of(vertices)[0]);
+  };
+  CHECK(judged().verdict == PromiseVerdict::kept);
+  out[0].position[2] += Exact(1e-9);
+  CHECK(judged().verdict == PromiseVerdict::broken);
+}

@@ -7,6 +7,7 @@
 
 #include "experiments/claims/ranking.hpp"
 #include "experiments/cost/rows.hpp"
+#include "experiments/frontier/rows.hpp"
 #include "experiments/segments/convex_windows.hpp"
 #include "experiments/segments/literature.hpp"
 
@@ -23,6 +24,8 @@ constexpr std::string_view kNichollLeeNicholl = "window/nicholl_lee_nicholl";
 constexpr std::string_view kKodituwakku = "window/kodituwakku_wijeweera_chamikara";
 constexpr std::string_view kConvexCyrusBeck = "convex/cyrus_beck";
 constexpr std::string_view kConvexPruning = "convex/pruning";
+constexpr std::string_view kMaillot = "window/maillot";
+constexpr std::string_view kLiangBarskyPolygon = "window/liang_barsky_polygon";
 
 bool is_box(const std::string& mix) { return mix.starts_with("box_"); }
 
@@ -156,6 +159,31 @@ Judgement pruning_computes_less(const Results& results) {
                      cases.figures(", "));
 }
 
+// Of coordinates that a polygon has in float, as many are the nearest floats as with any other end
+// to interpolate from, or more.
+Judgement nearer_end_rounds_best(const Results& results) {
+  using R = frontier::Row;
+  Cases cases;
+  for (const std::string& set : distinct(results.rows<R>(), &R::set)) {
+    const auto right = [&](std::string_view clipper) {
+      return results
+          .figures<R>(&R::correctly_rounded_percent, &R::set, set, &R::contract, Contract::full,
+                      &R::clipper, clipper, &R::scalar, "float")
+          .front();
+    };
+    const double inside = right(kClipSpace), outside = right("homogeneous/from_outside");
+    const double weighted = right("homogeneous/weighted_ends");
+    const double nearer = right("homogeneous/nearer_end");
+    cases.add(
+        set, nearer >= std::max({inside, outside, weighted}),
+        fmt::format("{} {:.2f}/{:.2f}/{:.2f}/{:.2f}", set, nearer, inside, outside, weighted));
+  }
+  return cases.judge(
+      "The set is {}. ",
+      "Coordinates rounded right, in percent, from the nearer end/the inside end/the outside end/weighted ends: {}.",
+      cases.figures(", "));
+}
+
 std::string_view experiment_of(Field field) {
   return field == Field::triangles ? "cost" : "segments";
 }
@@ -278,6 +306,32 @@ std::vector<Ranking> published_rankings() {
        kConvexCyrusBeck,
        {kConvexPruning, "convex/skala", "convex/skala_logarithmic", "convex/skala_homogeneous",
         "convex/extreme_vertices"}},
+      {56,
+       "Maillot's polygon clipper is faster than Sutherland-Hodgman, up to eight times (Maillot 1992).",
+       Field::triangles,
+       kMaillot,
+       {kCvv}},
+      {57,
+       "Maillot's polygon clipper is faster than Liang-Barsky's, up to three times (Maillot 1992).",
+       Field::triangles,
+       kMaillot,
+       {kLiangBarskyPolygon}},
+      {58,
+       "Liang-Barsky's polygon clipper is faster than Sutherland-Hodgman (Liang and Barsky 1983).",
+       Field::triangles,
+       kLiangBarskyPolygon,
+       {kCvv}},
+      {59,
+       "On a vector processor clipping in registers is five times as fast as direct Sutherland-Hodgman (McGuire 2011).",
+       Field::triangles,
+       "homogeneous/mcguire_batch",
+       {kClipSpace},
+       5},
+      {60,
+       "Two opposite planes in one pass are faster than one after the other (practice of rasterisers).",
+       Field::triangles,
+       "homogeneous/opposite_planes",
+       {kClipSpace}},
   };
 }
 
@@ -288,8 +342,9 @@ std::vector<Claim> claims_of_the_literature() {
                       [ranking](const Results& results) { return judge(ranking, results); }});
   }
   const auto add = [&](int number, std::string_view statement,
-                       std::function<Judgement(const Results&)> judge) {
-    claims.push_back({number, statement, "segments", std::move(judge)});
+                       std::function<Judgement(const Results&)> judge,
+                       std::string_view experiment = "segments") {
+    claims.push_back({number, statement, experiment, std::move(judge)});
   };
   add(38,
       "Nicholl-Lee-Nicholl divides least, beside Cohen-Sutherland and Liang-Barsky (Nicholl, Lee and Nicholl 1987).",
@@ -306,6 +361,9 @@ std::vector<Claim> claims_of_the_literature() {
   add(55,
       "Pruning spares the intersections that Cyrus-Beck computes in vain (Wijeweera and Kodituwakku 2016).",
       pruning_computes_less);
+  add(61,
+      "Interpolating from the nearer end loses least (practice: S2 Geometry, Manifold, with a proof).",
+      nearer_end_rounds_best, "frontier");
   return claims;
 }
 

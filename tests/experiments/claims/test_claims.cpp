@@ -61,6 +61,9 @@ std::vector<frontier::Row> contests() {
   };
   add(Contract::full, "homogeneous/sutherland_hodgman", "float", 25, 80);
   add(Contract::full, "homogeneous/sutherland_hodgman", "exact", 2500, 100);
+  add(Contract::full, "homogeneous/from_outside", "float", 25, 80);
+  add(Contract::full, "homogeneous/weighted_ends", "float", 25, 79);
+  add(Contract::full, "homogeneous/nearer_end", "float", 26, 82);
   add(Contract::copy, "homogeneous/batch", "float", 5, 80);
   add(Contract::copy, "barycentric/correctly_rounded_batch", "float", 50, 100);
   return rows;
@@ -419,7 +422,12 @@ std::vector<Alteration> alterations_of_literature() {
            altered(
                +[](Segments& row) { row.cut_divisions = 6; }, &Segments::clipper,
                "homogeneous/pruning"),
-           kConditional}};
+           kConditional},
+          {61,
+           altered(
+               +[](frontier::Row& row) { row.correctly_rounded_percent = 79.5; },
+               &frontier::Row::clipper, "homogeneous/nearer_end"),
+           kRefuted}};
 }
 
 std::vector<Alteration> alterations() {

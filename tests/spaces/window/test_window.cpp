@@ -32,7 +32,7 @@ std::vector<Answer<T>> computed_answers(const Rectangle<T>& r, const Segment2<T>
   return {window::cohen_sutherland(r, s),           window::liang_barsky(r, s),
           window::liang_barsky_division_free(r, s), window::nicholl_lee_nicholl(r, s),
           window::sobkow_pospisil_yang(r, s),       window::ray(r, s),
-          window::matthes_drakopoulos(r, s)};
+          window::matthes_drakopoulos(r, s),        window::cyrus_beck(r, s)};
 }
 
 // The answers of all algorithms whose error is bounded in rounded arithmetic.

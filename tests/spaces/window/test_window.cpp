@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "spaces/window/cyrus_beck.hpp"
 #include "spaces/window/kodituwakku_wijeweera_chamikara.hpp"
 #include "spaces/window/matthes_drakopoulos.hpp"
 #include "spaces/window/midpoint_subdivision.hpp"

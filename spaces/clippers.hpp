@@ -18,6 +18,7 @@
 #include "spaces/homogeneous/guard_band.hpp"
 #include "spaces/homogeneous/liang_barsky.hpp"
 #include "spaces/homogeneous/pipeline.hpp"
+#include "spaces/homogeneous/pruning.hpp"
 #include "spaces/homogeneous/sutherland_hodgman.hpp"
 #include "spaces/homogeneous/textbook.hpp"
 #include "spaces/point/points.hpp"
@@ -56,6 +57,7 @@ using AllSegmentClippers = SegmentClippers<ViewOnly<ViewCyrusBeck>,             
                                            ViewOnly<ViewCyrusBeckUnitNormals>,               //
                                            ViewAndClip<HomogeneousCyrusBeck>,                //
                                            ViewAndClip<HomogeneousBlinn>,                    //
+                                           ViewAndClip<HomogeneousPruning>,                  //
                                            ViewAndClip<HomogeneousCohenSutherland>,          //
                                            ViewAndClip<HomogeneousLiangBarsky>,              //
                                            ViewAndClip<HomogeneousLiangBarskyDivisionFree>,  //

@@ -21,6 +21,7 @@
 #include "spaces/homogeneous/mcguire.hpp"
 #include "spaces/homogeneous/opposite_planes.hpp"
 #include "spaces/homogeneous/pipeline.hpp"
+#include "spaces/homogeneous/pruning.hpp"
 #include "spaces/homogeneous/sutherland_hodgman.hpp"
 #include "spaces/homogeneous/textbook.hpp"
 #include "spaces/point/points.hpp"
@@ -75,6 +76,7 @@ using AllSegmentClippers = SegmentClippers<ViewOnly<ViewCyrusBeck>,             
                                            ViewOnly<ViewCyrusBeckUnitNormals>,                //
                                            ViewAndClip<HomogeneousCyrusBeck>,                 //
                                            ViewAndClip<HomogeneousBlinn>,                     //
+                                           ViewAndClip<HomogeneousPruning>,                   //
                                            ViewAndClip<HomogeneousCohenSutherland>,           //
                                            ViewAndClip<HomogeneousLiangBarsky>,               //
                                            ViewAndClip<HomogeneousLiangBarskyDivisionFree>,   //

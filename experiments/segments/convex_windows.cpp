@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <span>
 
 #include "experiments/contestants/scalars.hpp"
@@ -17,6 +18,9 @@ namespace {
 constexpr double kRightPx = 1.0 / 256;  // an end within this of the exact one is right
 constexpr double kCheckedPx = 1;        // what the backward error of a timed method is within
 constexpr double kLeastTimed = 64;      // segments
+
+// Cells of the dual subdivision along each axis.
+constexpr std::size_t dual_cells(std::size_t edges) { return std::max<std::size_t>(16, edges / 2); }
 
 template <class T>
 using Answer = std::optional<Segment2<T>>;
@@ -31,18 +35,22 @@ Segment2<T> segment_from(const Segment2<float>& s) {
   return {point_from<T>(s[0]), point_from<T>(s[1])};
 }
 
-// A window in T that owns its vertices.
+// A window in T that owns its vertices, and what the methods prepare.
 template <class T>
 class OwnedWindow {
  public:
   explicit OwnedWindow(std::span<const Vec2<float>> points) : normals_(points.size()) {
     for (const Vec2<float>& p : points) vertices_.push_back(point_from<T>(p));
-    prepare_window<T>(vertices_, normals_);
+    const ConvexWindow<T> prepared = prepare_window<T>(vertices_, normals_);
+    if constexpr (HasDualSubdivision<T>) {
+      dual_ = std::make_unique<DualSubdivision<T>>(prepared, dual_cells(points.size()));
+    }
   }
-  ConvexWindow<T> get() const { return {vertices_, normals_}; }
+  ConvexWindow<T> get() const { return {vertices_, normals_, dual_.get()}; }
 
  private:
   std::vector<Vec2<T>> vertices_, normals_;
+  std::unique_ptr<const DualSubdivision<T>> dual_;
 };
 
 // What is inside of all edges, moved inwards by margin(edge), which is in the units of distances.
@@ -109,8 +117,8 @@ bool is_within_a_pixel(const ConvexWindow<double>& window, const Segment2<float>
 template <class Method>
 class Contest {
  public:
-  Contest(const ConvexCase& input, std::size_t checked)
-      : input_(input), window_(input.vertices), checked_(std::min(checked, input.segments.size())) {
+  Contest(const ConvexCase& input, const ConvexWindow<float>& window, std::size_t checked)
+      : input_(input), window_(window), checked_(std::min(checked, input.segments.size())) {
     answers_.resize(input.segments.size());
   }
 
@@ -126,10 +134,9 @@ class Contest {
     std::size_t clipped = 0;
     const std::size_t all = input_.segments.size();
     const auto wanted = static_cast<std::size_t>(std::ceil(share * static_cast<double>(all)));
-    const ConvexWindow<float> window = window_.get();
     while (clipped < wanted) {
       const std::size_t count = std::min(all, wanted - clipped);
-      for (std::size_t i = 0; i < count; ++i) answers_[i] = Method{}(window, input_.segments[i]);
+      for (std::size_t i = 0; i < count; ++i) answers_[i] = Method{}(window_, input_.segments[i]);
       clipped += count;
     }
     return clipped;
@@ -139,7 +146,7 @@ class Contest {
     const OwnedWindow<double> window(input_.vertices);
     for (std::size_t i = 0; i < checked_; ++i) {
       const Segment2<float>& s = input_.segments[i];
-      if (!is_within_a_pixel(window.get(), s, Method{}(window_.get(), s))) {
+      if (!is_within_a_pixel(window.get(), s, Method{}(window_, s))) {
         return fmt::format("segment {} is more than {} px off", i, kCheckedPx);
       }
     }
@@ -147,7 +154,7 @@ class Contest {
   }
 
   const ConvexCase& input_;
-  OwnedWindow<float> window_;
+  ConvexWindow<float> window_;
   std::size_t checked_;
   std::vector<Answer<float>> answers_;
 };
@@ -175,18 +182,18 @@ void judge(const Answer<float>& found, const Answer<Exact>& exact, ConvexRow& ro
 
 // What a method answers and what it divides, on the leading segments.
 template <class Method>
-ConvexRow judged_row(const ConvexCase& input, const std::vector<Answer<Exact>>& exact) {
+ConvexRow judged_row(const ConvexCase& input, const ConvexWindow<float>& window,
+                     const ConvexWindow<Counted>& counted,
+                     const std::vector<Answer<Exact>>& exact) {
   ConvexRow row{.edges = static_cast<std::int64_t>(input.vertices.size()),
                 .method = std::string(Method::name)};
-  const OwnedWindow<float> window(input.vertices);
-  const OwnedWindow<Counted> counted(input.vertices);
   std::uint64_t divisions = 0;
   for (std::size_t i = 0; i < exact.size(); ++i) {
     const Segment2<float>& s = input.segments[i];
-    judge(Method{}(window.get(), s), exact[i], row);
+    judge(Method{}(window, s), exact[i], row);
     const auto counted_segment = segment_from<Counted>(s);
     operation_counts() = {};
-    Method{}(counted.get(), counted_segment);
+    Method{}(counted, counted_segment);
     divisions += operation_counts().divisions;
   }
   row.divisions = static_cast<double>(divisions) / static_cast<double>(exact.size());
@@ -196,8 +203,10 @@ ConvexRow judged_row(const ConvexCase& input, const std::vector<Answer<Exact>>& 
 template <class... Methods>
 std::vector<ConvexRow> measure(TypeList<Methods...>, const ConvexCase& input,
                                const std::vector<Answer<Exact>>& exact, const ContestClock& clock) {
-  std::vector<ConvexRow> rows = {judged_row<Methods>(input, exact)...};
-  std::tuple<Contest<Methods>...> contests{Contest<Methods>(input, clock.checked)...};
+  const OwnedWindow<float> window(input.vertices);
+  const OwnedWindow<Counted> counted(input.vertices);
+  std::vector<ConvexRow> rows = {judged_row<Methods>(input, window.get(), counted.get(), exact)...};
+  std::tuple<Contest<Methods>...> contests{Contest<Methods>(input, window.get(), clock.checked)...};
   const std::vector<Task> tasks = {std::get<Contest<Methods>>(contests).task()...};
   const std::vector<Timing> timings =
       time_in_turn(tasks, {.rounds = clock.rounds,

@@ -49,7 +49,7 @@ struct ConvexRow {
   static constexpr std::string_view kTitle =
       "Segments against a convex polygon: time by its edges, divisions and what is wrong (float)";
   static constexpr std::array<std::string_view, 3> kNotes = {
-      "x CB: how many times faster than convex/cyrus_beck on the same segments in the same round; median and 95 % interval. The edges' normals, two subtractions each, are made before. Not timed (-): an answer is more than a pixel off what is visible, by the backward error.",
+      "x CB: how many times faster than convex/cyrus_beck on the same segments in the same round; median and 95 % interval. The edges' normals, two subtractions each, are made before, and so is the subdivision of convex/dual_subdivision, with N/2 (at least 16) cells along each axis: some N^2 steps and as many entries. Not timed (-): an answer is more than a pixel off what is visible, by the backward error.",
       "Divisions per segment, by the counting scalar. Visible: judged segments of which more than a point is in the window, in exact arithmetic; lost: of these not found; drawn: found where nothing is visible; moved: found with an end more than 1/256 px from the exact one.",
       "max: the largest distance of an end from the exact one, where both are there; the window is 2160 px high."};
   static constexpr auto columns() {

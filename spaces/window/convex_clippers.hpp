@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // The list of the methods that clip segments of the plane by a convex polygon. To add one: write
-// its header, include it here and add its name to the list.
+// its header, include it here and add its name to the list. In which scalars it exists is what its
+// call operator takes.
 #pragma once
 
 #include "spaces/window/convex_cyrus_beck.hpp"
+#include "spaces/window/convex_dual.hpp"
 #include "spaces/window/convex_extremes.hpp"
 #include "spaces/window/convex_pruning.hpp"
 #include "spaces/window/convex_skala.hpp"
@@ -22,7 +24,8 @@ concept ClipsByConvexWindow = requires(const C clip, const ConvexWindow<T>& wind
   { clip(window, segment) } -> std::same_as<std::optional<Segment2<T>>>;
 };
 
-using AllConvexWindowClippers = TypeList<ConvexCyrusBeck, ConvexSkala, ConvexSkalaLogarithmic,
-                                         ConvexExtremes, ConvexSkalaHomogeneous, ConvexPruning>;
+using AllConvexWindowClippers =
+    TypeList<ConvexCyrusBeck, ConvexSkala, ConvexSkalaLogarithmic, ConvexExtremes,
+             ConvexSkalaHomogeneous, ConvexPruning, ConvexDual>;
 
 }  // namespace clipscope

@@ -7,7 +7,7 @@
 // to the left of the line, by directions alone. If the line passes between them, two more searches
 // along the boundary give the edges that it crosses.
 // Source: Chazelle and Dobkin, "Intersection of Convex Objects in Two and Three Dimensions", JACM
-// 34(1), 1987, section 3. Rappoport, "An Efficient Algorithm for Line and Polygon Clipping", The
+// 34(1), 1987. Rappoport, "An Efficient Algorithm for Line and Polygon Clipping", The
 // Visual Computer 7(1), 1991, brings such searches to clipping; its own text was not at hand.
 // What the closed window adds: a line along an edge is found by window::edges_against.
 // Guarantees: two divisions at most, 4 ceil(log2 N) steps.

@@ -8,7 +8,7 @@
 // from the direction of the boundary at both vertices and from which of them is nearer.
 // Source: Skala, "O(lg N) Line Clipping Algorithm in E2", Computers & Graphics 18(4), 1994, of
 // which the abstract and the introduction were at hand. Which half to keep: the usual search for an
-// extreme vertex (O'Rourke, "Computational Geometry in C", 1998, section 7.9).
+// extreme vertex (O'Rourke, "Computational Geometry in C", 1998).
 // What the closed window adds: a line along an edge is found by window::edges_against.
 // Guarantees: two divisions at most, 2 ceil(log2 N) steps.
 // Does not guarantee: the same bits for a segment and its reverse.
@@ -29,18 +29,8 @@ struct ConvexSkalaLogarithmic {
                                                   const Segment2<T>& segment) const {
     const DirectedLine<T> line(segment);
     const T first = line.side(window.vertex(0));
-    const bool is_left = T(0) < first;
-    const Search<T> search{window, line, is_left};
-    const auto [vertex, side] = search.other_side(first);
-    if ((T(0) < side) != is_left) {
-      const std::size_t left = is_left ? 0 : vertex, right = is_left ? vertex : 0;
-      return window::cut_by_pair<T>(window, segment,
-                                    window::passing_edges(window, line, left, right));
-    }
-    if (!is_left && side == T(0)) {
-      return window::cut_by_pair(window, segment, window::edges_against(window, line, vertex));
-    }
-    return std::nullopt;
+    const Search<T> search{window, line, T(0) < first};
+    return window::cut_by_pair(window, segment, search.pair(first));
   }
 
  private:
@@ -50,21 +40,22 @@ struct ConvexSkalaLogarithmic {
     T side;
   };
 
-  // The way from vertex 0 to the other side of the line, or to where the boundary is nearest to it.
+  // From vertex 0 to the other side of the line, or to where the boundary is nearest to it.
   template <Scalar T>
   struct Search {
     const ConvexWindow<T>& window;
     const DirectedLine<T>& line;
     bool from_left;
 
-    constexpr Found<T> other_side(const T& first) const {
+    // first: the side of vertex 0.
+    constexpr std::optional<window::EdgePair> pair(const T& first) const {
       Found<T> a{0, first};
       std::size_t end = window.size();
       bool nears = nears_at(0);
       while (end - a.vertex > 1) {
         const std::size_t middle = a.vertex + (end - a.vertex) / 2;
         const Found<T> c{middle, line.side(window.vertex(middle))};
-        if ((T(0) < c.side) != from_left) return c;
+        if ((T(0) < c.side) != from_left) return pair_between(a.vertex, middle, end);
         const bool nears_on = nears_at(middle);
         if (nears ? !nears_on || is_nearer(a.side, c.side)
                   : !nears_on && is_nearer(c.side, a.side)) {
@@ -74,8 +65,19 @@ struct ConvexSkalaLogarithmic {
           nears = nears_on;
         }
       }
-      const Found<T> next{window.wrapped(end), line.side(window.vertex(end))};
-      return is_nearer(next.side, a.side) ? next : a;
+      if (from_left) return std::nullopt;
+      const Found<T> last{window.wrapped(end), line.side(window.vertex(end))};
+      const Found<T>& nearest = is_nearer(last.side, a.side) ? last : a;
+      if (nearest.side < T(0)) return std::nullopt;
+      return window::edges_against(window, line, nearest.vertex);
+    }
+
+    // The vertex in the middle is on the other side.
+    constexpr window::EdgePair pair_between(std::size_t from, std::size_t middle,
+                                            std::size_t end) const {
+      const std::size_t there = window::passing_edge(window, line, from, middle, from_left);
+      const std::size_t back = window::passing_edge(window, line, middle, end, !from_left);
+      return from_left ? window::EdgePair{there, back} : window::EdgePair{back, there};
     }
 
     // Whether the edge that begins at a vertex leads towards the other side.

@@ -27,19 +27,26 @@
 
 namespace clipscope {
 
+template <Scalar T>
+class DualSubdivision;  // dual_subdivision.hpp
+
 // Pre-condition: at least three vertices, strictly convex, counter-clockwise, the lowest first (of
 // two lowest the left one), each with the normal of its edge. They belong to the caller.
 template <Scalar T>
 class ConvexWindow {
  public:
-  constexpr ConvexWindow(std::span<const Vec2<T>> vertices, std::span<const Vec2<T>> normals)
-      : vertices_(vertices), normals_(normals) {}
+  // dual: for the method that needs it (convex_dual.hpp).
+  constexpr ConvexWindow(std::span<const Vec2<T>> vertices, std::span<const Vec2<T>> normals,
+                         const DualSubdivision<T>* dual = nullptr)
+      : vertices_(vertices), normals_(normals), dual_(dual) {}
 
   constexpr std::size_t size() const { return vertices_.size(); }
   // Numbers go round: i < 2 size().
   constexpr std::size_t wrapped(std::size_t i) const { return i < size() ? i : i - size(); }
   constexpr const Vec2<T>& vertex(std::size_t i) const { return vertices_[wrapped(i)]; }
   constexpr const Vec2<T>& normal(std::size_t edge) const { return normals_[wrapped(edge)]; }
+
+  constexpr const DualSubdivision<T>* dual() const { return dual_; }
 
   // Signed distance form of an edge: > 0 inside; 0, on the edge's line, is inside.
   constexpr T distance(std::size_t edge, const Vec2<T>& p) const {
@@ -56,6 +63,7 @@ class ConvexWindow {
 
  private:
   std::span<const Vec2<T>> vertices_, normals_;
+  const DualSubdivision<T>* dual_;
 };
 
 // The precomputation. Turns the polygon so that its lowest vertex is the first, and makes the

@@ -6,6 +6,7 @@
 #include "spaces/cyrus_beck.hpp"
 #include "spaces/homogeneous/blinn.hpp"
 #include "spaces/liang_barsky.hpp"
+#include "spaces/pruning.hpp"
 #include "tests/catch.hpp"
 #include "tests/spaces/segments.hpp"
 
@@ -81,6 +82,13 @@ TEST_CASE("segment costs: Blinn's outcodes settle free, each plane between the e
   CHECK(cost_in_clip_space<Method>(kBothEndsOut).counts.divisions == 2);
   CHECK(cost_in_clip_space<Method>(kThreePlanes).counts.divisions == 3);
   CHECK_FALSE(cost_in_clip_space<Method>(kPastAnEdge).visible);
+}
+
+TEST_CASE("segment costs: pruning divides for each plane that still cuts") {
+  CHECK(cost_in_clip_space<Pruning>(kInside).counts.divisions == 0);
+  CHECK(cost_in_clip_space<Pruning>(kOutsideOnePlane).counts.divisions == 0);
+  CHECK(cost_in_clip_space<Pruning>(kBothEndsOut).counts.divisions == 2);
+  CHECK(cost_in_clip_space<Pruning>(kThreePlanes).counts.divisions == 3);
 }
 
 TEST_CASE("segment costs: Cyrus-Beck in clip space divides for every plane, multiplies for none") {

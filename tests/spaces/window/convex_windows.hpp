@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -21,15 +22,19 @@ using Points = std::vector<Vec2<T>>;
 template <class T>
 using Answer = std::optional<Segment2<T>>;
 
-// A window that owns its vertices and normals.
+// A window that owns its vertices and normals, and its dual subdivision where there is one.
 template <class T>
 struct OwnedWindow {
   explicit OwnedWindow(Points<T> points) : vertices(std::move(points)), normals(vertices.size()) {
-    prepare_window<T>(vertices, normals);
+    const ConvexWindow<T> prepared = prepare_window<T>(vertices, normals);
+    if constexpr (HasDualSubdivision<T>) {
+      dual = std::make_shared<DualSubdivision<T>>(prepared, 8 + vertices.size());
+    }
   }
-  ConvexWindow<T> window() const { return {vertices, normals}; }
+  ConvexWindow<T> window() const { return {vertices, normals, dual.get()}; }
 
   Points<T> vertices, normals;
+  std::shared_ptr<const DualSubdivision<T>> dual;
 };
 
 template <class T>

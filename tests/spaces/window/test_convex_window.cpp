@@ -17,10 +17,12 @@ using experiments::scalar_from;
 
 namespace {
 
-// Calls f(name, answer) for every method.
+// Calls f(name, answer) for every method that there is in T.
 template <class T, class F>
 void for_every_answer(const ConvexWindow<T>& window, const Segment2<T>& segment, F&& f) {
-  for_each_type(AllConvexWindowClippers{}, [&]<class C>() { f(C::name, C{}(window, segment)); });
+  for_each_type(AllConvexWindowClippers{}, [&]<class C>() {
+    if constexpr (ClipsByConvexWindow<C, T>) f(C::name, C{}(window, segment));
+  });
 }
 
 bool same_answer(const Answer<Exact>& a, const Answer<Exact>& b) {
@@ -110,14 +112,42 @@ void check_nearly(const ConvexWindow<T>& window, const Segment2<T>& s,
 
 }  // namespace
 
-TEST_CASE("convex window: names are unique and every method is one in every scalar") {
+TEST_CASE("convex window: names are unique and every method is one in every scalar that it takes") {
   std::set<std::string_view> names;
   for_each_type(AllConvexWindowClippers{}, [&]<class C>() {
-    for_each_type(experiments::AllScalars{},
-                  []<class T>() { static_assert(ClipsByConvexWindow<C, T>); });
+    for_each_type(experiments::AllScalars{}, []<class T>() {
+      static_assert(ClipsByConvexWindow<C, T> ||
+                    (std::same_as<C, ConvexDual> && !HasDualSubdivision<T>));
+    });
     CHECK(names.insert(C::name).second);
   });
   CHECK(names.size() == static_cast<std::size_t>(AllConvexWindowClippers::size));
+}
+
+TEST_CASE("convex window: a line's cell lists the edges that it crosses, and few others") {
+  std::mt19937_64 random(65);
+  std::uniform_real_distribution<double> anywhere(-2, 2);
+  for (const int n : {3, 16, 256}) {
+    const OwnedWindow<double> w(points_cast<double>(on_ellipse(n, 1)));
+    std::size_t listed = 0, crossing = 0;
+    for (int i = 0; i < 4000; ++i) {
+      Segment2<double> s;
+      for (Vec2<double>& p : s) p = {anywhere(random), anywhere(random)};
+      const DirectedLine<double> line(s);
+      const auto edges = w.dual->edges(s);
+      std::size_t crossed = 0;
+      for (std::size_t e = 0; e < w.vertices.size(); ++e) {
+        const bool from = 0 < line.side(w.window().vertex(e));
+        const bool to = 0 < line.side(w.window().vertex(e + 1));
+        if (from == to) continue;
+        CHECK(std::ranges::count(edges, e) == 1);
+        ++crossed;
+      }
+      crossing += crossed > 0;
+      if (crossed > 0) listed += edges.size();
+    }
+    CHECK(listed < 12 * crossing);
+  }
 }
 
 TEST_CASE("convex window: prepared, it begins at its lowest vertex and is convex") {
@@ -245,6 +275,7 @@ TEST_CASE("convex window: Cyrus-Beck divides N times, the searches twice and in 
     CHECK(cost(ConvexExtremes{}, n).divisions == 2);
     CHECK(cost(ConvexSkalaHomogeneous{}, n).divisions == 4);
     CHECK(cost(ConvexPruning{}, n).divisions >= 2);
+    CHECK(cost(ConvexDual{}, n).divisions == 3);
   }
   const auto growth = [&](const auto& method) {
     return cost(method, 512).multiplications - cost(method, 8).multiplications;
@@ -252,4 +283,5 @@ TEST_CASE("convex window: Cyrus-Beck divides N times, the searches twice and in 
   CHECK(growth(ConvexSkala{}) > 400);
   CHECK(growth(ConvexSkalaLogarithmic{}) < 60);
   CHECK(growth(ConvexExtremes{}) < 60);
+  CHECK(cost(ConvexDual{}, 512).multiplications < 60);
 }

@@ -50,6 +50,9 @@ using AllMethods = TypeList<
     struct ViewBatch,
     // Sutherland-Hodgman in clip space in float: the bits of its plain twin.
     struct HomogeneousBatch,
+    // The same bits, as long as nothing overflows, by McGuire's cases, a triangle in each lane; the
+    // stage only.
+    struct McGuireBatch,
     // The same in double, rounded to float once at the end.
     struct HomogeneousBatchDouble,
     // Every new vertex from the three original ones, in double, rounded once.
@@ -61,6 +64,7 @@ using AllMethods = TypeList<
 enum class Method : std::uint8_t {
   view = index_of<ViewBatch>(AllMethods{}),
   homogeneous = index_of<HomogeneousBatch>(AllMethods{}),
+  mcguire = index_of<McGuireBatch>(AllMethods{}),
   homogeneous_double = index_of<HomogeneousBatchDouble>(AllMethods{}),
   barycentric = index_of<BarycentricBatch>(AllMethods{}),
   correctly_rounded = index_of<CorrectlyRoundedBatch>(AllMethods{})

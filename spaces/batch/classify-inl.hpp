@@ -128,14 +128,14 @@ struct Positions {
   hn::Vec<D> x, y, z, w;
 };
 
-// Loads the positions of as many vertices as d has lanes, 4 or 8, which lie `stride` floats apart.
-template <class D>
-HWY_INLINE Positions<D> load_positions(D d, const float* v, std::size_t stride) {
+// Loads the positions of as many vertices as d has lanes, 4 or 8; at(i): where the i-th lies.
+template <class D, class At>
+HWY_INLINE Positions<D> load_positions_at(D d, At&& at) {
   const auto load = [&](std::size_t i) {
     if constexpr (hn::MaxLanes(D()) == 8) {
-      return hn::Combine(d, hn::LoadU(kD4, v + (4 + i) * stride), hn::LoadU(kD4, v + i * stride));
+      return hn::Combine(d, hn::LoadU(kD4, at(4 + i)), hn::LoadU(kD4, at(i)));
     } else {
-      return hn::LoadU(d, v + i * stride);
+      return hn::LoadU(d, at(i));
     }
   };
   const auto v0 = load(0), v1 = load(1), v2 = load(2), v3 = load(3);
@@ -143,6 +143,12 @@ HWY_INLINE Positions<D> load_positions(D d, const float* v, std::size_t stride) 
              zw_even = hn::InterleaveUpper(d, v0, v2), zw_odd = hn::InterleaveUpper(d, v1, v3);
   return {hn::InterleaveLower(d, xy_even, xy_odd), hn::InterleaveUpper(d, xy_even, xy_odd),
           hn::InterleaveLower(d, zw_even, zw_odd), hn::InterleaveUpper(d, zw_even, zw_odd)};
+}
+
+// The same of vertices that lie `stride` floats apart.
+template <class D>
+HWY_INLINE Positions<D> load_positions(D d, const float* v, std::size_t stride) {
+  return load_positions_at(d, [=](std::size_t i) { return v + i * stride; });
 }
 
 // For each plane, in the order of their bits, which vertices are inside.

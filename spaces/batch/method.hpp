@@ -20,6 +20,7 @@ enum class Simd : std::uint8_t {
   none,         // there is none: the plain version clips
   view_planes,  // plane after plane in view space (cut-inl.hpp)
   clip_planes,  // plane after plane in clip space (cut-inl.hpp)
+  clip_lanes,   // the same, as many triangles at once as there are lanes (lanes-inl.hpp)
   originals     // new vertices from the three original ones, in clip space (barycentric-inl.hpp)
 };
 

@@ -10,6 +10,7 @@
 #include "spaces/batch/batch.hpp"
 #include "spaces/batch/method.hpp"
 #include "spaces/batch/plain_triangle.hpp"
+#include "spaces/homogeneous/mcguire.hpp"
 #include "spaces/homogeneous/sutherland_hodgman.hpp"
 #include "spaces/view/sutherland_hodgman.hpp"
 
@@ -30,6 +31,24 @@ struct HomogeneousBatch : HomogeneousSutherlandHodgman {
   using Number = float;
   using BitsOf = HomogeneousSutherlandHodgman;
   static constexpr Simd simd = Simd::clip_planes;
+};
+
+// The stage alone: the full contract would be that of `homogeneous/batch`.
+struct McGuireBatch {
+  static constexpr std::string_view name = "homogeneous/mcguire_batch";
+  static constexpr std::string_view summary =
+      "many triangles at once: McGuire's cases, a triangle in each lane of a register";
+  static constexpr std::string_view source = HomogeneousMcGuire::source;
+  static constexpr Promise promise = HomogeneousMcGuire::promise;
+  using Number = float;
+  using BitsOf = HomogeneousMcGuire;
+  static constexpr Simd simd = Simd::clip_lanes;
+
+  template <int K>
+  static ClipPolygon<float, K> cut(const ClipVolume& volume,
+                                   const ClipTriangle<float, K>& triangle) {
+    return HomogeneousMcGuire::cut(volume, triangle);
+  }
 };
 
 // What computes in more than float rounds every coordinate and attribute once, and a coordinate

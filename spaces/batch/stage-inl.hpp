@@ -10,6 +10,7 @@
 #endif
 
 #include "spaces/batch/barycentric-inl.hpp"
+#include "spaces/batch/lanes-inl.hpp"
 #include "spaces/batch/mesh-inl.hpp"
 #include "spaces/batch/methods.hpp"
 #include "spaces/batch/streams-inl.hpp"
@@ -43,6 +44,9 @@ class Cutter {
 
   const S shape;
   const Limits limits;
+
+  // In the order in which they cut.
+  const std::array<CutPlane, kPlanes>& planes() const { return planes_; }
 
   // Vertices written to `out`, or kGiveUp: then the plain version has to do it. any: the bits that
   // some vertex has; not 0.
@@ -168,7 +172,7 @@ template <class M, int K>
 class Stage {
  public:
   Stage(const ClipVolume& volume, int attributes, Output& out)
-      : volume_(volume), cutter_(volume.depth, attributes), access_{out} {
+      : volume_(volume), cutter_(volume.depth, attributes), access_{out}, lanes_(cutter_.planes()) {
     access_.begin(attributes);
   }
 
@@ -184,7 +188,7 @@ class Stage {
 
   void reference(const TriangleStreams& in) {
     for_each_block(in.count, [&](std::size_t first, std::size_t count) {
-      Writer writer = access_.block(count);
+      Writer writer = begin_block(count);
       const std::uint32_t* const inside = writer.inside;
       survivors_.count = 0;
       std::size_t t = classify_streams(hn::ScalableTag<float>(), cutter_.limits, in, first, count,
@@ -200,7 +204,10 @@ class Stage {
       for (std::size_t i = 0; i < survivors_.count; ++i) {
         const std::size_t triangle = first + survivors_.triangle[i];
         padded_.set(cutter_.shape, in, triangle);
-        cut(codes_of(cutter_.limits, padded_.vertex).any, triangle, writer);
+        cut(codes_of(cutter_.limits, padded_.vertex).any, triangle, writer,
+            Place{i, survivors_.count, nullptr}, [&](std::size_t at, std::size_t lane, int v) {
+              return lanes_.hold(in, first + survivors_.triangle[at], lane, v);
+            });
       }
       access_.commit(writer);
     });
@@ -212,7 +219,7 @@ class Stage {
     MeshBlock block;
     for_each_block(mesh.indices.size() / 3, [&](std::size_t first, std::size_t count) {
       const auto indices = mesh.indices.subspan(3 * first, 3 * count);
-      Writer writer = access_.block(count);
+      Writer writer = begin_block(count);
       const std::uint32_t* const inside = writer.inside;
       block.classify(codes, indices);
       block.sort(count, first, writer, survivors_);
@@ -231,12 +238,18 @@ class Stage {
     }
   }
 
+  // Room for so many triangles.
+  HWY_INLINE Writer begin_block(std::size_t triangles) {
+    lanes_.forget();
+    return access_.block(triangles);
+  }
+
   // Triangles [first, first + count), as classified.
   HWY_INLINE void copy_block(const float* vertices, std::size_t first, std::size_t count,
                              const Survivors& survivors) {
     const std::size_t stride = cutter_.shape.floats();
     const float* const block = vertices + first * 3 * stride;
-    Writer writer = access_.block(survivors.count);
+    Writer writer = begin_block(survivors.count);
     access_.tally().rejected += count - survivors.count;
     for (std::size_t i = 0; i < survivors.count; ++i) {
       const std::size_t t = survivors.triangle[i];
@@ -247,7 +260,11 @@ class Stage {
         ++access_.tally().inside;
       } else {
         padded_.set(cutter_.shape, v, v + stride, v + 2 * stride);
-        cut(survivors.any[i], first + t, writer);
+        cut(survivors.any[i], first + t, writer, Place{i, survivors.count, survivors.any},
+            [&](std::size_t at, std::size_t, int vertex) {
+              return block +
+                     (3 * survivors.triangle[at] + static_cast<std::size_t>(vertex)) * stride;
+            });
       }
     }
     access_.commit(writer);
@@ -276,11 +293,41 @@ class Stage {
     for (std::size_t i = 0; i < count; ++i) {
       if (i + kAhead < count) prefetch(i + kAhead);
       padded_.set(cutter_.shape, vertex(i, 0), vertex(i, 1), vertex(i, 2));
-      cut(survivors_.any[i], first + survivors_.triangle[i], writer);
+      cut(survivors_.any[i], first + survivors_.triangle[i], writer, Place{i, count, nullptr},
+          [&](std::size_t at, std::size_t, int v) {
+            return vertex(at, static_cast<std::size_t>(v));
+          });
     }
   }
 
-  // Cuts the triangle in `padded_`.
+  // A survivor among those of its block; any: the bits of all of them, 0 for those that are not
+  // cut, or null if all are.
+  struct Place {
+    std::size_t at, count;
+    const std::uint8_t* any;
+  };
+
+  // Cuts the triangle in `padded_`. position(at, lane, v): where the position of vertex v of a
+  // survivor lies, as long as it goes to that lane.
+  template <class F>
+  HWY_INLINE void cut(unsigned any, std::size_t triangle, Writer& writer,
+                      [[maybe_unused]] Place place, [[maybe_unused]] F&& position) {
+    if constexpr (kInLanes) {
+      const auto needs = [&](std::size_t at) { return place.any == nullptr || place.any[at] != 0; };
+      const std::size_t lane = lanes_.lane_of(place.at, place.count, needs, position);
+      if (is_moderate(cutter_.shape, padded_.vertex)) {
+        const int count = lanes_.write(cutter_.shape, lane, padded_.vertex, writer.next);
+        if (count != kGiveUp) {
+          const bool one = (any & kPlaneBits) != 0 && (any & (any - 1)) == 0;
+          ++(one ? access_.tally().one_plane : access_.tally().planes);
+          writer.add(triangle, count);
+          return;
+        }
+      }
+    }
+    cut(any, triangle, writer);
+  }
+
   HWY_NOINLINE void cut(unsigned any, std::size_t triangle, Writer& writer) const {
     int count = cutter_.cut(padded_.vertex, any, writer.next, access_.tally());
     if (count == kGiveUp) {
@@ -290,10 +337,18 @@ class Stage {
     writer.add(triangle, count);
   }
 
+  static constexpr bool kInLanes = M::simd == Simd::clip_lanes;
+  struct NoLanes {
+    explicit NoLanes(const std::array<CodePlane, kPlanes>&) {}
+    void forget() {}
+    const float* hold(const TriangleStreams&, std::size_t, std::size_t, int) { return nullptr; }
+  };
+
   const ClipVolume volume_;
   const Cutter<M, K, float> cutter_;
   const OutputAccess access_;
   Padded<Shape<K>> padded_;
+  std::conditional_t<kInLanes, LaneCutter, NoLanes> lanes_;
   Survivors survivors_;                           // of a block
   std::array<Survivors, kBlocksAtOnce> at_once_;  // of a group
 };

@@ -11,9 +11,12 @@
 // Graphics, GPU, and Game Tools 15(4), 2011, and its clip.glsl, functions clip3 and clip4.
 // Left out: the tolerances of clip.glsl, which drop a triangle that reaches less than 0.01 into the
 // plane and keep one that reaches less than 0.00001 out: they lose visible parts, and the contract
-// has no unit. Repaired: a vertex on the plane makes no second copy of itself, as in cut.hpp.
+// has no unit. Repaired: a vertex on the plane makes no second copy of itself, as in cut.hpp; where
+// rounding has torn the inside into several runs, which the cases do not know, or a segment is left
+// of the triangle, the step of cut.hpp cuts.
 // Added: the planes one after the other, chosen by outcodes; what has five vertices or more, of
 // which the paper does not speak, is cycled and cut by the same rule in a loop.
+// Guarantees: the bits of homogeneous/sutherland_hodgman, as long as nothing overflows.
 // Does not guarantee: coordinates within the volume to the last bit after the divide; the exact
 // vertex count where a vertex comes within rounding of a plane; equal bits on a shared edge of
 // neighbours that are cut by different planes.
@@ -39,12 +42,20 @@ struct HomogeneousMcGuire : CutsByOutcodes<HomogeneousMcGuire> {
                                                 ClipPolygon<T, K>& scratch) {
     clear_unless_finite(polygon);
     for_each_plane(planes, kNearFirst, [&](Plane plane) {
-      const auto distance = [&](int i) { return signed_distance(volume.depth, plane, polygon[i]); };
-      switch (polygon.size()) {
-        case 0: break;
-        case 3: clip3(polygon, {distance(0), distance(1), distance(2)}); break;
-        case 4: clip4(polygon, {distance(0), distance(1), distance(2), distance(3)}); break;
-        default: clip_more(volume.depth, plane, polygon, scratch);
+      const auto d = [&](int i) { return signed_distance(volume.depth, plane, polygon[i]); };
+      bool is_cut = false;
+      if (polygon.size() == 3) {
+        is_cut = clip3(polygon, {d(0), d(1), d(2)});
+      } else if (polygon.size() == 4) {
+        is_cut = clip4(polygon, {d(0), d(1), d(2), d(3)});
+      } else if (polygon.size() > 4) {
+        is_cut = clip_more(volume.depth, plane, polygon, scratch);
+      }
+      if (!is_cut) {
+        scratch = polygon;
+        clipscope::cut(scratch, polygon, [&](const ClipVertex<T, K>& v) {
+          return signed_distance(volume.depth, plane, v);
+        });
       }
     });
     return polygon;
@@ -60,7 +71,6 @@ struct HomogeneousMcGuire : CutsByOutcodes<HomogeneousMcGuire> {
     v.truncate(kept);
     if (T(0) < d_last) v.push_back(edge_out);
     if (T(0) < d_first) v.push_back(edge_in);
-    v.drop_if_degenerate();
   }
 
   template <Scalar T, int K>
@@ -82,10 +92,10 @@ struct HomogeneousMcGuire : CutsByOutcodes<HomogeneousMcGuire> {
   }
 
   template <Scalar T, int K>
-  static constexpr void clip3(ClipPolygon<T, K>& v, std::array<T, 3> d) {
+  static constexpr bool clip3(ClipPolygon<T, K>& v, std::array<T, 3> d) {
     const bool above[3] = {T(0) <= d[0], T(0) <= d[1], T(0) <= d[2]};
-    if (!above[0] && !above[1] && !above[2]) return v.clear();
-    if (above[0] && above[1] && above[2]) return;
+    if (!above[0] && !above[1] && !above[2]) v.clear();
+    if (above[0] == above[1] && above[1] == above[2]) return true;
     bool next_is_above = above[1];
     if (above[1] && !above[0]) {
       next_is_above = above[2];
@@ -101,14 +111,17 @@ struct HomogeneousMcGuire : CutsByOutcodes<HomogeneousMcGuire> {
     } else {
       finish(v, 1, mix(v[0], v[1], d[0], d[1]), d[0], edge_in, d[0]);
     }
+    return true;
   }
 
+  // Whether the vertices inside are one run; if not nothing is cut.
   template <Scalar T, int K>
-  static constexpr void clip4(ClipPolygon<T, K>& v, std::array<T, 4> d) {
+  static constexpr bool clip4(ClipPolygon<T, K>& v, std::array<T, 4> d) {
     const bool above[4] = {T(0) <= d[0], T(0) <= d[1], T(0) <= d[2], T(0) <= d[3]};
     const int count = above[0] + above[1] + above[2] + above[3];
-    if (count == 0) return v.clear();
-    if (count == 4) return;
+    if (count == 0) v.clear();
+    if (count == 0 || count == 4) return true;
+    if (count == 2 && above[0] == above[2]) return false;
     if (above[1] && !above[0]) {
       cycle<1, 4>(v, d);
     } else if (above[2] && !above[1]) {
@@ -119,34 +132,41 @@ struct HomogeneousMcGuire : CutsByOutcodes<HomogeneousMcGuire> {
     // The edge from v0 back to v3 is always cut, and one of the other three.
     const ClipVertex<T, K> edge_in = mix(v[0], v[3], d[0], d[3]);
     switch (count) {
-      case 1: return finish(v, 1, mix(v[0], v[1], d[0], d[1]), d[0], edge_in, d[0]);
-      case 2: return finish(v, 2, mix(v[1], v[2], d[1], d[2]), d[1], edge_in, d[0]);
-      default: return finish(v, 3, mix(v[2], v[3], d[2], d[3]), d[2], edge_in, d[0]);
+      case 1: finish(v, 1, mix(v[0], v[1], d[0], d[1]), d[0], edge_in, d[0]); break;
+      case 2: finish(v, 2, mix(v[1], v[2], d[1], d[2]), d[1], edge_in, d[0]); break;
+      default: finish(v, 3, mix(v[2], v[3], d[2], d[3]), d[2], edge_in, d[0]);
     }
+    return true;
   }
 
-  // Five vertices or more.
+  // The same for five vertices or more.
   template <Scalar T, int K>
-  static constexpr void clip_more(DepthRange depth, Plane plane, ClipPolygon<T, K>& v,
+  static constexpr bool clip_more(DepthRange depth, Plane plane, ClipPolygon<T, K>& v,
                                   ClipPolygon<T, K>& scratch) {
     const int n = v.size();
     std::array<T, kMaxPolygonVertices> d{};
-    for (int i = 0; i < n; ++i) d[i] = signed_distance(depth, plane, v[i]);
-    const auto is_above = [&](int i) { return T(0) <= d[i]; };
-    int first = 0;
-    bool previous = is_above(n - 1);
-    while (first < n && (previous || !is_above(first))) previous = is_above(first++);
-    if (first == n) {
-      if (!previous) v.clear();
-      return;
+    std::array<bool, kMaxPolygonVertices> above{};
+    int count = 0, runs = 0, first = 0;
+    for (int i = 0; i < n; ++i) {
+      d[i] = signed_distance(depth, plane, v[i]);
+      above[i] = T(0) <= d[i];
+      count += above[i];
     }
-    int last = first;
+    if (count == 0) v.clear();
+    if (count == 0 || count == n) return true;
+    for (int i = 0; i < n; ++i) {
+      if (!above[i] || above[(i + n - 1) % n]) continue;
+      first = i;
+      ++runs;
+    }
+    if (runs > 1) return false;
     scratch.clear();
-    for (; is_above(last % n); ++last) scratch.push_back(v[last % n]);
-    const int inside = (last - 1) % n, outside = last % n, before = (first + n - 1) % n;
-    finish(scratch, last - first, mix(v[inside], v[outside], d[inside], d[outside]), d[inside],
+    for (int i = 0; i < count; ++i) scratch.push_back(v[(first + i) % n]);
+    const int last = (first + count - 1) % n, after = (last + 1) % n, before = (first + n - 1) % n;
+    finish(scratch, count, mix(v[last], v[after], d[last], d[after]), d[last],
            mix(v[first], v[before], d[first], d[before]), d[first]);
     v = scratch;
+    return true;
   }
 };
 

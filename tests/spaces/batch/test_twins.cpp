@@ -90,6 +90,23 @@ TEST_CASE("batch: SIMD gives the bits of the plain version for any number of tri
   });
 }
 
+TEST_CASE("batch: a triangle in each lane gets the bits that it gets alone") {
+  Random random(8);
+  for (const Numbers numbers : kNumbers) {
+    if (numbers == Numbers::special) continue;  // no such promise where something overflows
+    const Soup soup = make_soup(random, numbers, 4, 3000);
+    for (const DepthRange depth : kDepths) {
+      Output alone;
+      clip(Method::homogeneous, {.depth = depth}, soup.array(), alone);
+      on_every_target([&] {
+        Output in_lanes;
+        clip(Method::mcguire, {.depth = depth}, soup.array(), in_lanes);
+        CHECK(first_difference(alone, in_lanes) == std::nullopt);
+      });
+    }
+  }
+}
+
 TEST_CASE("batch: options of the volume are clipped as the plain version does") {
   Random random(5);
   const Soup soup = make_soup(random, Numbers::near_volume, 4, 500);

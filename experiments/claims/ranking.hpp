@@ -15,8 +15,8 @@
 namespace clipscope::experiments::claims {
 
 // Where methods are timed: segments in the plane, against convex polygons of the plane, from view
-// space to NDC; triangles from view space to NDC.
-enum class Field { plane, convex_windows, segments, triangles };
+// space to NDC; triangles from view space to NDC, and in the stage of a renderer, by copy.
+enum class Field { plane, convex_windows, segments, triangles, stage };
 
 struct Ranking {
   int number = 0;

@@ -121,7 +121,8 @@ void verify_scene(const Contestant& contestant, const Scene& scene, std::size_t 
 
 std::string hex_case(const HardCase& c) {
   const bool is_view = c.space == Space::view;
-  return (is_view ? frustum_options(frustum_cast<float>(c.frustum)) : "--space clip") + "\n    " +
+  return (is_view ? frustum_options(frustum_cast<float>(c.frustum)) : "--space clip") + " " +
+         volume_options(c.volume) + "\n    " +
          hex_line(c.vertices, is_view ? 3 : 4, c.attribute_count);
 }
 

@@ -174,7 +174,8 @@ template <class N>
 void judge_ownership(const reference::Truth& truth, const PromiseChecker::Setting& s,
                      const Case<N>& c, PromiseCheck& check) {
   if (!truth.volume().open_sides || c.polygon.empty()) return;
-  for (const reference::Truth::HalfSpace& half_space : truth.inset(-c.tolerance).half_spaces()) {
+  const reference::Truth wider = truth.inset(-c.tolerance);
+  for (const reference::Truth::HalfSpace& half_space : wider.half_spaces()) {
     const auto is_inside = [&](const InputVertex& v) { return sign(half_space.form, v) > 0; };
     if (!half_space.is_open || std::ranges::any_of(s.vertices, is_inside)) continue;
     check = {PromiseVerdict::broken, std::numeric_limits<double>::infinity(),

@@ -7,7 +7,8 @@
 
 namespace clipscope::experiments {
 
-// Prints "clipscope: warning: TEXT".
+// Prints "clipscope: warning: TEXT". Each text once: the experiments of a run load the same mesh
+// again and again. May be called from many threads.
 void warn(const std::string& text);
 
 }  // namespace clipscope::experiments

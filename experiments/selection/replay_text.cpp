@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "experiments/table/hex_float.hpp"
 
 namespace clipscope::experiments {
@@ -10,6 +12,26 @@ namespace clipscope::experiments {
 std::string_view depth_option(DepthRange depth) {
   constexpr std::array<std::string_view, 3> kNames = {"gl", "zero_to_one", "reversed"};
   return kNames[static_cast<std::size_t>(depth)];
+}
+
+std::string volume_options(const ClipVolume& volume) {
+  std::string text = fmt::format("--depth {}", depth_option(volume.depth));
+  const DepthClamp& clamp = volume.depth_clamp;
+  if (clamp) {
+    text += " --depth-clamp";
+    if (!clamp.far) text += "=near";
+    if (!clamp.near) text += "=far";
+  }
+  const OpenSides& open = volume.open_sides;
+  std::string sides;
+  for (const auto& [is_open, side] :
+       {std::pair(open.left, "left"), std::pair(open.right, "right"),
+        std::pair(open.bottom, "bottom"), std::pair(open.top, "top")}) {
+    if (is_open) sides += (sides.empty() ? " --half-open=" : ",") + std::string(side);
+  }
+  text += sides;
+  if (volume.clip_distances > 0) text += fmt::format(" --clip-distances {}", volume.clip_distances);
+  return text;
 }
 
 std::string frustum_options(const Frustum<float>& f) {
@@ -51,8 +73,7 @@ std::string replay_text(const Batch& batch, std::size_t primitive) {
     options += frustum_options(frustum_cast<float>(batch.frustum)) + " ";
   }
   return fmt::format(
-      "{}--depth {} --attributes {} : {}", options, depth_option(batch.volume.depth),
-      batch.attributes,
+      "{}{} --attributes {} : {}", options, volume_options(batch.volume), batch.attributes,
       hex_line(input_vertices(batch, primitive), batch.dimension(), batch.attributes));
 }
 

@@ -17,6 +17,9 @@ namespace clipscope::experiments {
 // The depth convention as --depth names it.
 std::string_view depth_option(DepthRange depth);
 
+// "--depth gl", and the volume's other options, as " --depth-clamp=near --clip-distances 1".
+std::string volume_options(const ClipVolume& volume);
+
 // "--frustum L,R,B,T,N,F" or "--ortho ...", in hex floats.
 std::string frustum_options(const Frustum<float>& frustum);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // clipscope run, as a user runs it.
+#include <algorithm>
 #include <filesystem>
 
 #include "experiments/selection/select.hpp"
@@ -40,6 +41,21 @@ TEST_CASE("cli: run prints each finding and where its tables are, the tables onl
   for (const std::string& line : lines(brief.out)) CHECK(line.size() <= 100);
   const Result full = folder.run(run + " --tables");
   CHECK(lines(full.out).size() > lines(brief.out).size() + 20);
+}
+
+TEST_CASE("cli: a run warns once of a mesh that float bends, however often it is loaded") {
+  const Folder folder;
+  const std::string mesh =
+      folder.file("far.obj", "v 12958095.12 0 0\nv 12958095.52 0 0\nv 12958095.12 9 0\nf 1 2 3\n");
+  const Result r =
+      folder.run("run accuracy plane_order --quick --sample 20 --scalar float --scene " +
+                 quoted(mesh) + " --out " + (folder.path() / "results").string());
+  INFO(r.err);
+  REQUIRE(r.code == 0);
+  const std::vector<std::string> told = lines(r.err);
+  CHECK(std::ranges::count_if(told, [](const std::string& line) {
+          return contains(line, "clipscope: warning: ");
+        }) == 1);
 }
 
 TEST_CASE("cli: the same seed gives the same accuracy table") {

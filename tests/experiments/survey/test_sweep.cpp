@@ -59,6 +59,21 @@ TEST_CASE("sweep: a failure is named with the input that shows it") {
   CHECK(tallies[0].failing.find("--space clip --depth gl --attributes 4 : 0x0p+0") == 0);
 }
 
+TEST_CASE("sweep: the input of a failure names the options of the volume, as clip reads them") {
+  SweepChunk chunk = chunk_of(1);
+  chunk.volume = {.depth = DepthRange::reversed,
+                  .depth_clamp = kClampNear,
+                  .clip_distances = 1,
+                  .open_sides = true};
+  const auto begins_with = [&](const std::string& text) {
+    return replay_text(chunk, 0).starts_with("--space clip " + text + " --attributes 4 : ");
+  };
+  CHECK(begins_with(
+      "--depth reversed --depth-clamp=near --half-open=right,bottom --clip-distances 1"));
+  chunk.volume = {.depth_clamp = true};
+  CHECK(begins_with("--depth gl --depth-clamp"));
+}
+
 TEST_CASE("sweep: a clipper that starts in view space has nothing in clip space") {
   CHECK(sweep_of("view/sutherland_hodgman")[0].primitives == 0);
 }

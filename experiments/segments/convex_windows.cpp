@@ -267,7 +267,8 @@ Plot convex_plot(const std::vector<ConvexRow>& rows) {
   Plot plot{
       .name = "segments_convex",
       .title = "Time per segment by the edges of a convex window (float)",
-      .caption = "Methods that ask every edge rise with N, those that search rise with log N.",
+      .caption =
+          "Methods that ask every edge rise with N, those that search with log N; the dual subdivision, prepared before, asks the same few edges whatever N.",
       .x = {.label = "edges N", .logarithmic = true},
       .y = {.label = "time [ns/segment]", .logarithmic = true}};
   const std::vector<ConvexRow> shown = timed(rows);

@@ -50,16 +50,17 @@ struct ConvexRow {
       "Segments against a convex polygon: time by its edges, divisions and what is wrong (float)";
   static constexpr std::array<std::string_view, 3> kNotes = {
       "x CB: how many times faster than convex/cyrus_beck on the same segments in the same round; median and 95 % interval. The edges' normals, two subtractions each, are made before, and so is the subdivision of convex/dual_subdivision, with N/2 (at least 16) cells along each axis: some N^2 steps and as many entries. Not timed (-): an answer is more than a pixel off what is visible, by the backward error.",
-      "Divisions per segment, by the counting scalar. Visible: judged segments of which more than a point is in the window, in exact arithmetic; lost: of these not found; drawn: found where nothing is visible; moved: found with an end more than 1/256 px from the exact one.",
+      "N: edges. /: divisions per segment, by the counting scalar. Seen: judged segments of which more than a point is in the window, in exact arithmetic; lost: of these not found; drawn: found where nothing is visible; moved: found with an end more than 1/256 px from the exact one.",
       "max: the largest distance of an end from the exact one, where both are there; the window is 2160 px high."};
   static constexpr auto columns() {
     using R = ConvexRow;
-    return std::tuple(column("edges", &R::edges), column("method", &R::method),
-                      group(&R::timing, Timing::columns("ns_per_segment", "ns/segment",
-                                                        "speedup_to_cyrus_beck", "x CB")),
-                      column("divisions", "/", &R::divisions), column("visible", &R::visible),
-                      column("lost", &R::lost), column("drawn", &R::drawn),
-                      column("moved", &R::moved), column("max_px", "max [px]", &R::max_px));
+    return std::tuple(
+        column("edges", "N", &R::edges), column("method", &R::method),
+        group(&R::timing,
+              Timing::columns("ns_per_segment", "ns/segment", "speedup_to_cyrus_beck", "x CB")),
+        column("divisions", "/", &R::divisions), column("visible", "seen", &R::visible),
+        column("lost", &R::lost), column("drawn", &R::drawn), column("moved", &R::moved),
+        column("max_px", "max [px]", &R::max_px));
   }
 };
 

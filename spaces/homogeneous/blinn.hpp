@@ -48,7 +48,7 @@ struct BlinnLines {
   struct Bounded {
     using T = typename S::ScalarType;
 
-    std::array<T, kMaxPlanes> coordinates{};
+    std::array<T, kMaxPlanes> coordinates;  // of the planes that clip
     Outcode code = 0;
 
     constexpr Bounded(const S& space, const typename S::PointType& p) {

@@ -6,7 +6,8 @@
 // Clipping Against a Convex Polygon", Ruhuna Journal of Science 10(2), 2019, by its abstract.
 // Guarantees: as pruning.hpp; one division for each edge that cuts the segment as it is by then.
 // Does not guarantee: the same bits for polygons that begin with another vertex: what one edge
-// shortened the next may shorten again, and errors add up.
+// shortened the next may shorten again, and errors add up. In rounded arithmetic, a segment along
+// an edge: an end that another edge cut may fall outside of it by a rounding, and then both are.
 #pragma once
 
 #include "spaces/pruning.hpp"

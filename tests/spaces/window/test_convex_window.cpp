@@ -96,9 +96,10 @@ double length_of(const Segment2<Exact>& s) {
 // `least` may go unseen.
 template <class T>
 void check_nearly(const ConvexWindow<T>& window, const Segment2<T>& s,
-                  const Answer<Exact>& expected) {
+                  const Answer<Exact>& expected, std::string_view spared = "") {
   const double least = 16 * std::sqrt(experiments::kFormat<T>.unit_roundoff());
   for_every_answer(window, s, [&](std::string_view name, const Answer<T>& found) {
+    if (name == spared) return;
     INFO(name);
     if (!found || !expected) {
       if (found) CHECK(length_of(exactly(*found)) < least);
@@ -226,6 +227,26 @@ TEMPLATE_TEST_CASE("convex window: rounded answers are near the exact one of the
       for (Vec2<TestType>& p : s) p = {anywhere(random), anywhere(random)};
       INFO("N = " << n << ", segment " << i);
       check_nearly(owned.window(), s, answer_by_all_edges(exact.window(), exactly(s)));
+    }
+  }
+}
+
+// Products of small integers are exact, and so are the sides of the vertices. Pruning asks about
+// rounded ends instead and may lose a segment along an edge.
+TEST_CASE("convex window: on a lattice every method but pruning sees in double what is there") {
+  std::mt19937_64 random(66);
+  std::uniform_int_distribution<int> pick(-9, 9);
+  for (const std::size_t n : {2u, 3u, 8u}) {
+    const OwnedWindow<Exact> exact(on_lattice(n));
+    const OwnedWindow<double> owned(points_cast<double>(exact.vertices));
+    const auto corner = [&] { return owned.vertices[random() % owned.vertices.size()]; };
+    for (int i = 0; i < 3000; ++i) {
+      const Vec2<double> a = corner(), b = corner();
+      const Vec2<double> from = i % 3 == 0 ? Vec2<double>(pick(random), pick(random)) : a;
+      const Segment2<double> s = {from - (b - a), b + (b - a)};
+      INFO("N = " << 2 * n << ", segment " << i);
+      check_nearly(owned.window(), s, answer_by_all_edges(exact.window(), exactly(s)),
+                   ConvexPruning::name);
     }
   }
 }

@@ -4,7 +4,7 @@
 // three variants. With d_in > 0 > d_out at the ends of an edge:
 //
 //   homogeneous/from_outside   out + t (in - out), t = d_out / (d_out - d_in): Mesa's draw module
-//   homogeneous/weighted_ends  (d_out in - d_in out) / (d_out - d_in), by a reciprocal: SwiftShader
+//   homogeneous/weighted_ends  d_out / (d_out - d_in) in + d_in / (d_in - d_out) out: SwiftShader
 //   homogeneous/nearer_end     from the end nearer to the plane: near it both t and what t is
 //                              multiplied by are small, and hence what they add to the rounding
 //                              of that end: S2 Geometry, Manifold
@@ -14,10 +14,10 @@
 // error is 2.25 DBL_EPSILON at most; the same in Manifold's boolean operations (Interpolate).
 // Left out of Mesa's: a vertex on the plane makes a second copy of itself there. Added to
 // SwiftShader's, which interpolates positions alone: attributes are in + t (out - in) with
-// t = d_in / (d_in - d_out) by the same reciprocal, so that constants remain. Where a new vertex
-// overflows nothing comes out, which matters for products of two coordinates.
-// Does not guarantee: what homogeneous/sutherland_hodgman does not. weighted_ends multiplies
-// coordinates with each other: it overflows and underflows at the square root of what others do.
+// t = d_in / (d_in - d_out), so that constants remain. SwiftShader multiplies both ends by
+// distances and then by one reciprocal; products of two coordinates overflow at 2^64, and so does
+// the reciprocal of a subnormal number, so here each weight is a quotient of its own.
+// Does not guarantee: what homogeneous/sutherland_hodgman does not.
 #pragma once
 
 #include "spaces/homogeneous/by_outcodes.hpp"
@@ -98,14 +98,10 @@ struct HomogeneousInterpolating : CutsByOutcodes<HomogeneousInterpolating<kNewVe
   static constexpr ClipVertex<T, K> weighted(const ClipVertex<T, K>& inside,
                                              const ClipVertex<T, K>& outside, const T& d_inside,
                                              const T& d_outside) {
-    const T length = d_outside - d_inside;
-    const T reciprocal = T(1) / length;
-    const T t = -d_inside * reciprocal;
+    const T t = cut_parameter(d_inside, d_outside);
+    const T kept = cut_parameter(T(-d_outside), T(-d_inside));
     ClipVertex<T, K> r = inside;
-    for (int i = 0; i < 4; ++i) {
-      const T difference = d_outside * inside.position[i] - d_inside * outside.position[i];
-      r.position[i] = difference * reciprocal;
-    }
+    for (int i = 0; i < 4; ++i) r.position[i] = kept * inside.position[i] + t * outside.position[i];
     for (int k = 0; k < r.attributes.size(); ++k) {
       const T step = outside.attributes[k] - inside.attributes[k];
       r.attributes[k] = inside.attributes[k] + t * step;

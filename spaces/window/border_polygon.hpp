@@ -197,10 +197,12 @@ struct DepthCutThenBorder {
 };
 
 // The promise of such a method: in clip space two cuts of kChainUlps, in the window an edge is cut
-// once or twice, and a corner is between two such points.
+// once or twice, and a corner is between two such points. With another vertex first the walk may go
+// around the border in another way, where coordinates are so large that differences lose digits.
 inline constexpr Promise kBorderPromise{.domain = Promise::Domain::divisible,
                                         .ulps = kChainUlps,
                                         .amplification = Promise::Amplification::w_ratio,
+                                        .rotation_invariant = false,
                                         .depth_clamp = false};
 
 }  // namespace clipscope::window

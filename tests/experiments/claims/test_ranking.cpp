@@ -34,6 +34,13 @@ segments::ConvexRow timed_row(std::size_t mix, std::string_view clipper, double 
   return row_with<R>(&R::edges, kEdges[mix], &R::method, clipper, &R::timing, timing(speedup));
 }
 
+template <>
+cost::StageRow timed_row(std::size_t mix, std::string_view clipper, double speedup) {
+  using R = cost::StageRow;
+  return row_with<R>(&R::mix, kMixes[mix], &R::clipper, clipper, &R::scalar, "float", &R::build,
+                     "simd", &R::contract, "copy", &R::timing, timing(speedup));
+}
+
 template <class MixRow>
 Fabricated times_of(const Ranking& ranking, const Leads& leads) {
   std::vector<MixRow> rows;
@@ -52,6 +59,7 @@ Fabricated fabricated(const Ranking& ranking, const Leads& leads) {
   switch (ranking.field) {
     case Field::plane: return times_of<segments::PlaneRow>(ranking, leads);
     case Field::convex_windows: return times_of<segments::ConvexRow>(ranking, leads);
+    case Field::stage: return times_of<cost::StageRow>(ranking, leads);
     case Field::segments: return times_of<segments::TimeRow>(ranking, leads);
     default: return times_of<cost::Row>(ranking, leads);
   }

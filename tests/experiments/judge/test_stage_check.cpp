@@ -83,7 +83,7 @@ TEST_CASE("stage check: every clipper keeps what it promises in every contract a
   const Contestants contestants = stage_contestants(input);
   CHECK(has_clipper(contestants, "textbook"));
   CHECK(has_clipper(contestants, "homogeneous/sutherland_hodgman"));
-  CHECK(contestants.size() == 3 + 2 * 4 * 2);
+  CHECK(contestants.size() == 3 + 2 * 5 * 2);
   for (const Contestant* contestant : contestants) {
     INFO(name_of(*contestant));
     CHECK(broken(*contestant, input) == "");

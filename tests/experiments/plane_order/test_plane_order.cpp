@@ -45,9 +45,9 @@ TEST_CASE("orders: there are 720, each once") {
   for (const Order& order : kAllOrders) texts.insert(order_text(order));
   CHECK(texts.size() == 720);
   CHECK(texts.contains("NFLRBT"));
-  CHECK(order_text(kNearFirst) == "NFLRBT");
+  CHECK(order_text(plane_order::kNearFirst) == "NFLRBT");
   CHECK(order_text(kNearLast) == "LRBTFN");
-  CHECK(kNearFirst.front() == Plane::near);
+  CHECK(plane_order::kNearFirst.front() == Plane::near);
   CHECK(kNearLast.back() == Plane::near);
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("orders: the tree's results have the bits of the clippers with that or
     const TriangleSet set = set_of(name, 60);
     for (const CutTriangle& t : set.triangles) {
       const auto all = OrderTree<float, K>::cut_all(set.depth, t.planes, t.triangle);
-      check_same(all[restricted(kNearFirst, t.planes)].polygon,
+      check_same(all[restricted(plane_order::kNearFirst, t.planes)].polygon,
                  clipped<HomogeneousSutherlandHodgman>(set, t));
       check_same(all[restricted(kNearLast, t.planes)].polygon,
                  clipped<HomogeneousNearLast>(set, t));
@@ -101,7 +101,7 @@ TEST_CASE("orders: float bits depend on the order; wrong answers are seen as suc
   CHECK(rounded.wrong_in_some > 0);
   CHECK(rounded.near_last_px > 0);
   std::size_t reference = 0;
-  while (kAllOrders[reference] != kNearFirst) ++reference;
+  while (kAllOrders[reference] != plane_order::kNearFirst) ++reference;
   CHECK(rounded.orders[reference].differs == 0);
   CHECK(rounded.orders[reference].moved_px == 0);
   for (const OrderTally& tally : rounded.orders) {

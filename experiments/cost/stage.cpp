@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "experiments/cost/rows.hpp"
 #include "experiments/machine/machine.hpp"
@@ -77,7 +78,8 @@ std::vector<StageMix> stage_mixes(const Selection& selection) {
 
 // The baseline, and those whose clipper is among the selected.
 Contestants selected_for_stage(const StageInput& input, const Selection& selection) {
-  const Contestants selected = select_contestants(selection.clipper, {"float"});
+  Contestants selected = select_contestants(selection.clipper, {"float"});
+  std::ranges::copy(stage_only_contestants(selection.clipper), std::back_inserter(selected));
   Contestants contestants = stage_contestants(input);
   std::erase_if(contestants, [&, baseline = contestants.front()](const Contestant* c) {
     return c != baseline && !has_clipper(selected, c->clipper);

@@ -4,6 +4,9 @@
 // same run; who is not beaten in both, and what the next step costs.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "experiments/frontier/rows.hpp"
 #include "experiments/machine/machine.hpp"
 #include "experiments/report/experiment.hpp"
@@ -69,8 +72,9 @@ void measure_set(const Selection& selection, const std::string& name,
   const StageClock stage_clock{.rounds = clock.rounds,
                                .milliseconds_per_run = clock.milliseconds_per_run,
                                .check = {.exact = clock.checked}};
-  for (const auto& stage :
-       hold_stage_contest(scene_input(scene, limit), contestants, stage_clock)) {
+  Contestants in_stage = contestants;
+  std::ranges::copy(stage_only_contestants(selection.clipper), std::back_inserter(in_stage));
+  for (const auto& stage : hold_stage_contest(scene_input(scene, limit), in_stage, stage_clock)) {
     tables.add(scene.name, stage, record);
   }
 }

@@ -122,6 +122,15 @@ Contestants stage_contestants(const StageInput& input) {
   return all;
 }
 
+Contestants stage_only_contestants(std::string_view clipper_pattern) {
+  Contestants all;
+  for (const Contestant& c : all_contestants()) {
+    if (!c.prepare_stage || !matches(clipper_pattern, c.clipper)) continue;
+    if (find_in_contract(c.clipper, c.scalar(), Contract::full) == nullptr) all.push_back(&c);
+  }
+  return all;
+}
+
 std::vector<std::string> scene_names(const Selection& selection) {
   if (!selection.scenes.empty()) return selection.scenes;
   std::vector<std::string> names;

@@ -43,6 +43,10 @@ bool has_clipper(const Contestants& contestants, std::string_view clipper);
 // first.
 Contestants stage_contestants(const StageInput& input);
 
+// Of the batch clippers those that there are in a stage alone, whose name matches the pattern as in
+// select_contestants; in any contract and build.
+Contestants stage_only_contestants(std::string_view clipper_pattern);
+
 struct Selection {
   std::vector<std::string> scenes;  // empty: all built-in ones
   CameraOptions camera;

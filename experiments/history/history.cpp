@@ -89,8 +89,8 @@ std::vector<Row> published(Field field) {
   for (const std::string_view clipper : clipper_names(vertices)) {
     const auto* full = find_in_contract(clipper, kFloat, Contract::full, vertices);
     const auto* plane = find_in_contract(clipper, kFloat, Contract::plane, vertices);
-    if (full == nullptr || full->build != "scalar" || (field == Field::plane) != (plane != nullptr))
-      continue;
+    const bool in_field = (field == Field::plane) == (plane != nullptr);
+    if (full == nullptr || full->build != "scalar" || !in_field) continue;
     const std::optional<int> year = year_of(full->source);
     if (!year) continue;
     rows.push_back({.year = *year,

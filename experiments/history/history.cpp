@@ -54,13 +54,13 @@ Figure fastest_on_percent(const std::vector<MixRow>& timed, const std::string& c
   return 100.0 * static_cast<double>(won) / static_cast<double>(fastest.size());
 }
 
-// The mean of how many times faster than the oldest a clipper is, mix by mix.
+// The mean of how many times faster than the usual method a clipper is, mix by mix.
 template <class MixRow>
 Figure mean_speedup(const std::vector<MixRow>& timed, const std::string& clipper,
-                    std::string_view oldest) {
+                    std::string_view usual) {
   GeometricMean speedup;
   for (const MixRow& row : rows_where(timed, &MixRow::clipper, clipper)) {
-    const MixRow* base = find_row(timed, &MixRow::mix, row.mix, &MixRow::clipper, oldest);
+    const MixRow* base = find_row(timed, &MixRow::mix, row.mix, &MixRow::clipper, usual);
     if (base == nullptr || !base->timing->speedup || !row.timing->speedup) continue;
     speedup.add(row.timing->speedup->median / base->timing->speedup->median);
   }
@@ -68,13 +68,13 @@ Figure mean_speedup(const std::vector<MixRow>& timed, const std::string& clipper
 }
 
 template <class MixRow>
-void add_times(const std::vector<MixRow>& timed, std::string_view oldest, Row& row) {
+void add_times(const std::vector<MixRow>& timed, std::string_view usual, Row& row) {
   GeometricMean ns;
   for (const MixRow& r : rows_where(timed, &MixRow::clipper, row.clipper)) {
     ns.add(r.timing->ns.median);
   }
   row.ns = ns.mean();
-  row.speedup = mean_speedup(timed, row.clipper, oldest);
+  row.speedup = mean_speedup(timed, row.clipper, usual);
   if (row.ns) row.fastest_on_percent = fastest_on_percent(timed, row.clipper);
 }
 
@@ -170,7 +170,7 @@ std::string field_text(const std::vector<Row>& all, Field field) {
   const Row& best =
       *std::ranges::max_element(rows, {}, [](const Row& row) { return *row.speedup; });
   return fmt::format(
-      "{}: of {} methods {} are faster than the oldest over all mixes, the fastest is {} ({}, {:.2f} times); {} are right on every hard case in float.",
+      "{}: of {} methods {} are faster than the usual one over all mixes, the fastest is {} ({}, {:.2f} times); {} are right on every hard case in float.",
       name_of(field), rows.size(), faster, best.clipper, best.year, *best.speedup, right);
 }
 
@@ -192,7 +192,7 @@ Plot history_plot(const std::vector<Row>& rows, Field field) {
       .name = kNames[static_cast<std::size_t>(field)],
       .title = fmt::format("Clipping of {}, by the year of the paper (float)", name_of(field)),
       .caption =
-          "Each method once: its speed, where the oldest is 1, and the share of the hard cases that it gets right.",
+          "Each method once: its speed, where that of the usual method is 1, and the share of the hard cases that it gets right.",
       .x = {.label = "year"},
       .y = {.label = "speed; share right", .from = 0}};
   Series speed{.name = "speed", .marks = Marks::points};

@@ -37,7 +37,7 @@ struct Row {
   static constexpr std::string_view kTitle =
       "Clipping since 1968: what each method brought (float)";
   static constexpr std::array<std::string_view, 2> kNotes = {
-      "ns and x: geometric means over all mixes of the field (tables segments_plane, segments, cost). x: how many times faster than the oldest of the usual methods on the same input in the same round: Cohen-Sutherland (1973) for segments, Sutherland-Hodgman (1974) for triangles. Fastest: share of the mixes on which no other method of this table has a lower median.",
+      "ns and x: geometric means over all mixes of the field (tables segments_plane, segments, cost). x: how many times faster than the usual method on the same input in the same round: Cohen-Sutherland for segments, Sutherland-Hodgman in clip space for triangles. Fastest: share of the mixes on which no other method of this table has a lower median.",
       "Divisions: per segment that has both ends out and is visible (plane), per shortened segment of cross_several but for the divide (segments), per triangle over all mixes with the divide (triangles). Hard cases: share that is right, of segments_hard, of the catalogue for triangles. Methods whose source has no year are left out: those of specifications and of this project; so are batch clippers."};
   static constexpr auto columns() {
     return std::tuple(column("year", &Row::year), column("clipper", &Row::clipper),
@@ -57,7 +57,7 @@ std::vector<Row> history(const Results& results);
 // was timed.
 Plot history_plot(const std::vector<Row>& rows, Field field);
 
-// How many are faster than the oldest, who is the fastest, and how many are always right. Empty if
+// How many are faster than the usual method, who is the fastest, and how many are always right. Empty if
 // nobody was timed.
 std::string finding(const std::vector<Row>& rows);
 

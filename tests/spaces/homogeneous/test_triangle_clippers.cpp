@@ -86,14 +86,21 @@ TEST_CASE("nearer end: a cut next to the inside end has the bits of Sutherland-H
                            clip<HomogeneousSutherlandHodgman>(triangle)));
 }
 
-TEST_CASE("weighted ends: what overflows in products of coordinates yields nothing") {
-  Corners corners = {{{0, 0, 0, 1}, {3, 0, 0, 1}, {0, 0.5, 0, 1}}};
-  CHECK(clip<HomogeneousWeightedEnds>(clip_triangle<float>(corners)).size() == 4);
-  for (auto& corner : corners) {
-    for (double& x : corner) x *= 0x1p70;
+TEST_CASE("weighted ends: where a product of two coordinates overflows the polygon is the same") {
+  const Corners corners = {{{0, 0, 0, 1}, {3, 0, 0, 1}, {0, 0.5, 0, 1}}};
+  const auto expected = clip<HomogeneousWeightedEnds>(clip_triangle<float>(corners));
+  REQUIRE(expected.size() == 4);
+  for (const double scale : {0x1p70, 0x1p-120}) {
+    Corners scaled = corners;
+    for (auto& corner : scaled) {
+      for (double& x : corner) x *= scale;
+    }
+    const auto found = clip<HomogeneousWeightedEnds>(clip_triangle<float>(scaled));
+    REQUIRE(found.size() == 4);
+    for (int i = 0; i < 4; ++i) {
+      for (int c = 0; c < 3; ++c) CHECK(found[i].position[c] == expected[i].position[c]);
+    }
   }
-  CHECK(clip<HomogeneousWeightedEnds>(clip_triangle<float>(corners)).empty());
-  CHECK(clip<HomogeneousNearerEnd>(clip_triangle<float>(corners)).size() == 4);
 }
 
 TEST_CASE("opposite planes: both cuts of an edge are made from its own ends") {

@@ -57,8 +57,8 @@ std::vector<Row> history(const Results& results);
 // was timed.
 Plot history_plot(const std::vector<Row>& rows, Field field);
 
-// How many are faster than the usual method, who is the fastest, and how many are always right. Empty if
-// nobody was timed.
+// How many are faster than the usual method, who is the fastest, and how many are always right.
+// Empty if nobody was timed.
 std::string finding(const std::vector<Row>& rows);
 
 }  // namespace clipscope::experiments::history

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "experiments/selection/replay_text.hpp"
@@ -28,11 +29,11 @@ Tally judge(const Contestant& contestant, const Batch& batch,
   return tally;
 }
 
-// What the contestant's method does in the counting scalar.
-OperationCounts operations_of(const Contestant& contestant, const Batch& batch) {
+// What the contestant's method does in the counting scalar; nothing where there is no such form.
+std::optional<OperationCounts> operations_of(const Contestant& contestant, const Batch& batch) {
   const Contestant* counting =
       find_in_contract(contestant.clipper, kFormat<Counted>.name, Contract::plane, 2);
-  if (counting == nullptr) return {};
+  if (counting == nullptr) return std::nullopt;
   const std::unique_ptr<Runner> runner = counting->prepare(std::span(&batch, 1));
   operation_counts() = {};
   runner->clip(0, 0, batch.size());
@@ -94,7 +95,9 @@ std::vector<PlaneRow> measure_in_plane(const ClipSegments& mix, const Contestant
                                                .wrong = tally.failures,
                                                .wrong_kinds = wrong_kinds(tally),
                                                .max_px = tally.max_px});
-    if (c->format->is_float()) add_operations(operations_of(*c, sample_batch), sample.size(), row);
+    if (!c->format->is_float()) continue;
+    const auto counts = operations_of(*c, sample_batch);
+    if (counts) add_operations(*counts, sample.size(), row);
   }
   for (const std::string_view scalar : {kFormat<float>.name, kFormat<double>.name}) {
     time_in_scalar(scalar, std::span(&batch, 1), contestants, clock, rows);

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "experiments/answers/rows.hpp"
-#include "experiments/contestants/spoken.hpp"
 #include "experiments/table/prose.hpp"
 
 namespace clipscope::experiments::answers {
@@ -26,16 +25,11 @@ double height(double wrong_per_million) { return std::max(wrong_per_million, kNo
 
 std::string folder_of(const std::string& clipper) { return clipper.substr(0, clipper.find('/')); }
 
-bool is_step(const PriceList& prices, const Offer& offer) {
-  return std::ranges::any_of(prices.steps, [&](const PriceRow& s) {
-    return s.clipper == offer.clipper && s.scalar == offer.scalar;
-  });
-}
-
-// Exact arithmetic gives the same answers in whatever space.
-std::string step_name(const Offer& offer) {
-  if (offer.scalar == "exact") return spoken_scalar(offer.scalar);
-  return spoken_contestant(offer.clipper, offer.scalar);
+// The name of the step that an offer is; empty if it is none.
+std::string step_name(const PriceList& prices, const Offer& offer) {
+  const PriceRow* step =
+      find_row(prices.steps, &PriceRow::clipper, offer.clipper, &PriceRow::scalar, offer.scalar);
+  return step == nullptr ? "" : step->step;
 }
 
 // "+41 % time", or how many times as long where percents become hard to read.
@@ -51,7 +45,7 @@ Series points_of(const std::string_view folder, const std::string_view name,
   for (const Offer& offer : offers) {
     if (folder_of(offer.clipper) != folder) continue;
     series.add(offer.ns.median, height(offer.quality.hard_wrong));
-    series.labels.push_back(is_step(prices, offer) ? step_name(offer) : "");
+    series.labels.push_back(step_name(prices, offer));
   }
   return series;
 }

@@ -3,6 +3,15 @@
 #include "experiments/contestants/spoken.hpp"
 
 namespace clipscope::experiments::answers {
+namespace {
+
+// Exact arithmetic gives the same answers in whatever space.
+std::string name_of_step(const Offer& offer) {
+  if (offer.scalar == "exact") return spoken_scalar(offer.scalar);
+  return spoken_contestant(offer.clipper, offer.scalar);
+}
+
+}  // namespace
 
 PriceList price_list(const std::vector<Offer>& offers) {
   PriceList list;
@@ -10,16 +19,15 @@ PriceList price_list(const std::vector<Offer>& offers) {
     return 100 * (offer.ns.median / base.median - 1);
   };
   for (const Offer& offer : offers) {
-    const std::string name = spoken_contestant(offer.clipper, offer.scalar);
     const bool is_first = list.steps.empty();
     if (!is_first && !buys_something(list.steps.back().quality, offer.quality)) {
-      list.idle.push_back(name);
+      list.idle.push_back(spoken_contestant(offer.clipper, offer.scalar));
       continue;
     }
     const MedianInterval fastest = is_first ? offer.ns : list.steps.front().ns,
                          last = is_first ? offer.ns : list.steps.back().ns;
     list.steps.push_back({.contract = offer.contract,
-                          .step = name,
+                          .step = name_of_step(offer),
                           .clipper = offer.clipper,
                           .scalar = offer.scalar,
                           .ns = offer.ns,

@@ -17,7 +17,7 @@ constexpr std::size_t kFewFiles = 4;  // more are told by their number
 
 constexpr const char* kIntroduction = R"(# Results of a run of clipscope
 
-- [{0}]({0}) shows everything on one page.
+{6}- [{0}]({0}) shows everything on one page.
 - Each experiment has a folder: every table as Markdown, CSV and LaTeX, every plot as SVG, PDF and PNG, pictures as PNG, and some as EXR.
 - [{1}]({1}) has all tables, findings and samples: `clipscope table --run .` lists the tables, `clipscope table NAME --run .` prints one.
 
@@ -60,6 +60,19 @@ std::string tables_cell(const ResultsStore& store, const std::string& experiment
   return fmt::format("{}", fmt::join(tables, ", "));
 }
 
+// A line for each answer of the run, with the folder of its evidence; empty without answers.
+std::string answers_list(const ResultsStore& store) {
+  if (!store.has_table("answers")) return "";
+  const Table answers = store.table("answers");
+  std::string list;
+  for (const std::vector<Cell>& row : answers.rows()) {
+    const auto text = [&](const char* key) { return full_text(row[place_of(answers, key)]); };
+    list += fmt::format("- **{0}** {1} ([{2}]({2}/))\n", text("question"), text("answer"),
+                        text("experiment"));
+  }
+  return list + "\n";
+}
+
 std::string line(const ResultsStore& store, const StoredExperiment& experiment) {
   std::vector<std::string> plots, pictures;
   for (const StoredFigure& figure : store.figures(experiment.name)) {
@@ -75,9 +88,10 @@ std::string line(const ResultsStore& store, const StoredExperiment& experiment) 
 
 std::string results_readme(const ResultsStore& store) {
   const RunInfo run = store.run_info();
-  std::string text = fmt::format(kIntroduction, kReportFile, kStoreFile, value_of(run, "command"),
-                                 value_of(run, "started"), value_of(run, "machine"),
-                                 value_of(run, "compiler"), value_of(run, "commit"));
+  std::string text =
+      fmt::format(kIntroduction, kReportFile, kStoreFile, value_of(run, "command"),
+                  value_of(run, "started"), value_of(run, "machine"), value_of(run, "compiler"),
+                  value_of(run, "commit"), answers_list(store));
   for (const StoredExperiment& experiment : store.experiments()) text += line(store, experiment);
   return text;
 }

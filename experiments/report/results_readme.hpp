@@ -10,9 +10,9 @@
 
 namespace clipscope::experiments {
 
-// Markdown: how the files are laid out, then a line for each experiment with its question, its
-// tables, the one that answers the question first, its plots and its pictures. Errors: InputError
-// if the store is damaged.
+// Markdown: the answers of the run, how the files are laid out, then a line for each experiment
+// with its question, its tables, the one that answers the question first, its plots and its
+// pictures. Errors: InputError if the store is damaged.
 std::string results_readme(const ResultsStore& store);
 
 // Writes directory/README.md, complete or not at all. Errors: as above; OutputError.

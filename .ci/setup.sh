@@ -18,6 +18,7 @@ packages=(
   libopenimageio-dev fonts-dejavu-core        # pictures and the text in them
   libcairo2-dev                               # vector graphics
   openimageio-tools libopencv-core-dev        # OpenImageIO's CMake package names files of these
+  libwebp-dev                                 # pictures within a page
   libboost-dev                                # search trees
   libcli11-dev nlohmann-json3-dev libfmt-dev  # command line, output
   libtbb-dev                                  # threads

@@ -204,6 +204,12 @@ void add_json_option(CLI::App& command, Selection& selection) {
   command.add_flag("--json", selection.json, "Print JSON (run: one table per line)");
 }
 
+void add_single_file_option(CLI::App& command, PageForm& form) {
+  command.add_flag_callback(
+      "--single-file", [&form] { form = PageForm::single_file; },
+      "Put pictures and long tables into the page of results, so that it needs no other file");
+}
+
 void add_out_option(CLI::App& command, std::optional<std::string>& out) {
   add_option(command, "--out", out, "DIR",
              "Also write the table as Markdown, CSV and LaTeX into this folder");

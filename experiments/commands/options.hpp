@@ -22,6 +22,7 @@
 #include "experiments/contestants/batch.hpp"
 #include "experiments/contestants/contestant.hpp"
 #include "experiments/machine/errors.hpp"
+#include "experiments/report/report.hpp"
 #include "experiments/selection/select.hpp"
 #include "experiments/table/table.hpp"
 
@@ -107,6 +108,9 @@ void add_contestant_options(CLI::App& command, Selection& selection);
 void add_contestant_options(CLI::App& command, std::string& clipper, std::string& scalar);
 
 void add_json_option(CLI::App& command, Selection& selection);
+
+// --single-file: what the page of results needs beside it.
+void add_single_file_option(CLI::App& command, PageForm& form);
 
 // --out: a folder for the table that the command prints.
 void add_out_option(CLI::App& command, std::optional<std::string>& out);

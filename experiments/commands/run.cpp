@@ -27,6 +27,7 @@ struct RunOptions {
   std::vector<std::string> names;
   std::string out = "results";
   bool resume = false;
+  PageForm page = PageForm::folder;
   std::optional<int> threads;
 };
 
@@ -119,7 +120,7 @@ int run_experiments(RunOptions options) {
     recorder->finish(seconds_since(start));
     context.tell_files();
   }
-  write_report(recorder->store(), options.out);
+  write_report(recorder->store(), options.out, options.page);
   write_results_readme(recorder->store(), options.out);
   fmt::print(stderr, "all done in {:.0f} s\n", seconds_since(run_start));
   if (!options.selection.json) fmt::print("  in {}: README.md, {}\n", options.out, kReportFile);
@@ -149,6 +150,7 @@ with --resume. See `clipscope table` and `clipscope diff`.)");
                   "Threads to use at most; the results do not depend on it [all processors]")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
+  add_single_file_option(command, options.page);
   command.add_flag("--tables", options.selection.tables, "Print every table, too");
   add_json_option(command, options.selection);
 }

@@ -138,9 +138,16 @@ int diff(const DiffOptions& options) {
 
 // --- report, paper -------------------------------------------------------------------------------
 
-int write_page(const std::string& run) {
-  write_report(ResultsStore(run), run);
-  fmt::print("written: {}\n", (std::filesystem::path(run) / kReportFile).string());
+struct ReportOptions {
+  std::string run = "results";
+  PageForm form = PageForm::folder;
+};
+
+int write_page(const ReportOptions& options) {
+  const std::filesystem::path page = std::filesystem::path(options.run) / kReportFile;
+  write_report(ResultsStore(options.run), options.run, options.form);
+  fmt::print("written: {} ({:.1f} MB)\n", page.string(),
+             static_cast<double>(std::filesystem::file_size(page)) / 1e6);
   return kExitOk;
 }
 
@@ -181,13 +188,14 @@ rows, 1 if not.)");
 }
 
 void add_report_command(CLI::App& app, Action& action) {
-  const auto [command, run] = add_command(
+  const auto [command, options] = add_command(
       app, action, write_page, "report",
       "Write the page of a run's results (report.html) again from its store",
-      R"(The page needs no other file: tables to sort and filter, plots, pictures, commands.
-`clipscope run` writes it at its end; of a run that was interrupted it shows what was done.)");
-  run = "results";
-  add_option(command, "--run", run, "DIR", "Folder of the run's results [results]");
+      R"(The run's answers, then tables to sort and filter, plots, pictures, commands. The page shows the
+pictures and loads the long tables that lie beside it. `clipscope run` writes it at its end; of a
+run that was interrupted it shows what was done.)");
+  add_option(command, "--run", options.run, "DIR", "Folder of the run's results [results]");
+  add_single_file_option(command, options.form);
 }
 
 void add_paper_command(CLI::App& app, Action& action) {

@@ -53,6 +53,8 @@ class ImageLibrary {
   virtual std::optional<std::string> write(const std::filesystem::path& path, FileFormat format,
                                            const Raster& raster,
                                            const std::string& title) const = 0;
+  // The bytes of a WebP file with the same pixels as the PNG. Throws OutputError.
+  virtual std::string lossless_webp(const std::filesystem::path& png) const = 0;
 };
 
 // Throws OutputError if the module can't be opened.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The module that is linked with OpenImageIO; see image_library.hpp.
+// The module that is linked with OpenImageIO; see image_library.hpp. WebP comes from libwebp
+// itself: the writer of OpenImageIO 2.4 knows no lossless form of it.
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
+#include <webp/encode.h>
 
 #include <algorithm>
 #include <array>
@@ -86,6 +88,24 @@ class Oiio final : public ImageLibrary {
                          output->close();
     if (written) return std::nullopt;
     return output->geterror();
+  }
+
+  std::string lossless_webp(const std::filesystem::path& png) const override {
+    const auto input = OIIO::ImageInput::open(png.string());
+    if (!input) throw OutputError(OIIO::geterror());
+    const int width = input->spec().width, height = input->spec().height;
+    std::vector<std::uint8_t> pixels(3 * static_cast<std::size_t>(width) *
+                                     static_cast<std::size_t>(height));
+    if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, pixels.data())) {
+      throw OutputError(input->geterror());
+    }
+    std::uint8_t* encoded = nullptr;
+    const std::size_t size =
+        WebPEncodeLosslessRGB(pixels.data(), width, height, 3 * width, &encoded);
+    const std::string bytes(reinterpret_cast<const char*>(encoded), size);
+    WebPFree(encoded);
+    if (size == 0) throw OutputError(png.string() + ": can't be encoded as WebP");
+    return bytes;
   }
 };
 

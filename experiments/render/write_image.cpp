@@ -11,6 +11,7 @@
 #include "experiments/machine/files.hpp"
 #include "experiments/render/figure.hpp"
 #include "experiments/render/image_library.hpp"
+#include "experiments/render/webp.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -91,5 +92,7 @@ void write_image(const fs::path& path, const Figure& figure) {
 void write_png(const fs::path& path, const Image& image, const std::string& title) {
   write(path, FileFormat::png, png_raster(image), title);
 }
+
+std::string lossless_webp(const fs::path& png) { return image_library().lossless_webp(png); }
 
 }  // namespace clipscope::experiments

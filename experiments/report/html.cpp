@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/report/report.hpp"
+#include "experiments/report/html.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 
 #include "experiments/table/utf8.hpp"
 
@@ -26,6 +27,17 @@ std::string html_escape(std::string_view text) {
     }
   }
   return escaped;
+}
+
+std::string url_of(std::string_view path) {
+  static constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+  std::string address;
+  for (const char c : path) {
+    const bool plain = kPlain.find(c) != std::string_view::npos;
+    address += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return address;
 }
 
 std::string base64(std::string_view bytes) {
@@ -74,6 +86,12 @@ std::string text_html(const std::string& text, const std::string& key,
   return fmt::format("<a href=\"#{0}\">{0}</a>", html_escape(text));
 }
 
+// The classes of a cell with a number: aligned as numbers are, in whatever column.
+std::string with_numbers(const std::string& css) {
+  const std::size_t end = css.find(' ');
+  return end == std::string::npos ? "n" : "n" + css.substr(end);
+}
+
 // A cell from its attributes on, without its closing tag.
 std::string cell_html(const Cell& cell, const std::string& css, const std::string& key,
                       const std::set<std::string>& parts) {
@@ -81,13 +99,60 @@ std::string cell_html(const Cell& cell, const std::string& css, const std::strin
     return fmt::format(" class=\"{}\">{}", css, text_html(*text, key, parts));
   }
   if (const auto* count = std::get_if<std::int64_t>(&cell)) {
-    return fmt::format(" class=\"n\" data-v=\"{0}\">{0}", *count);
+    return fmt::format(" class=\"{1}\" data-v=\"{0}\">{0}", *count, with_numbers(css));
   }
   if (const auto* number = std::get_if<double>(&cell)) {
-    return fmt::format(" class=\"n\" data-v=\"{}\">{}", script_number(*number),
+    return fmt::format(" class=\"{}\" data-v=\"{}\">{}", with_numbers(css), script_number(*number),
                        format_number(*number));
   }
   return fmt::format(" class=\"{} nothing\">–", css);
+}
+
+// The looks of all columns.
+std::vector<std::string> classes_of(const Table& table) {
+  std::vector<std::string> css;
+  for (std::size_t c = 0; c < table.columns().size(); ++c) css.push_back(class_of(table, c));
+  return css;
+}
+
+std::string row_html(const Table& table, const std::vector<std::string>& css, std::size_t r,
+                     const TableSetting& setting) {
+  const std::vector<Cell>& row = table.rows()[r];
+  std::string html = "<tr>";
+  for (std::size_t c = 0; c < row.size(); ++c) {
+    const std::string look = setting.look ? setting.look(r, c) : "";
+    const std::string cell = cell_html(row[c], look.empty() ? css[c] : css[c] + " " + look,
+                                       table.columns()[c].key, setting.parts);
+    html += (c == 0 ? "<th scope=\"row\"" : "<td") + cell + (c == 0 ? "</th>" : "</td>");
+  }
+  return html + "</tr>\n";
+}
+
+std::string rows_html(const Table& table, std::size_t count, const TableSetting& setting) {
+  const std::vector<std::string> css = classes_of(table);
+  std::string html;
+  for (std::size_t r = 0; r < count; ++r) html += row_html(table, css, r, setting);
+  return html;
+}
+
+std::string head_html(const Table& table) {
+  const std::vector<std::string> css = classes_of(table);
+  std::string html = "<thead><tr>";
+  for (std::size_t c = 0; c < css.size(); ++c) {
+    const Column& column = table.columns()[c];
+    html += fmt::format(
+        "<th scope=\"col\" class=\"{}\" data-key=\"{}\"><button type=\"button\">{}</button></th>",
+        css[c], html_escape(column.key), html_escape(column.head));
+  }
+  return html + "</tr></thead>\n";
+}
+
+// What stands for the rows that are not in the page: where they are, and, for who has no scripts,
+// that they are elsewhere.
+std::string absent_rows_html(const Table& table, const std::string& csv) {
+  return fmt::format("<noscript><p class=\"note\">The first {} of {} rows{}</p></noscript>\n",
+                     kFirstRows, table.rows().size(),
+                     csv.empty() ? "." : "; the CSV has all of them.");
 }
 
 }  // namespace
@@ -100,35 +165,32 @@ std::string verdict_html(const std::string& verdict) {
   return fmt::format("<span class=\"verdict{}\">{}</span>", css, html_escape(verdict));
 }
 
-std::string table_html(const Table& table, const std::set<std::string>& parts) {
+std::string table_html(const Table& table, const TableSetting& setting) {
   const std::string id = "table-" + html_escape(table.name());
+  const std::size_t all = table.rows().size();
+  const bool has_script = !setting.script.empty();
   std::string html = fmt::format(
-      "<div class=\"table\">\n<p class=\"caption\" id=\"{0}\">{1}</p>\n"
-      "<div class=\"tools\" hidden><label>Filter <input type=\"search\" aria-describedby=\"{0}\"></label><span class=\"count\" aria-live=\"polite\"></span><button type=\"button\">Copy as CSV</button></div>\n"
-      "<div class=\"box\" role=\"region\" aria-labelledby=\"{0}\" tabindex=\"0\"><table aria-labelledby=\"{0}\">\n<thead><tr>",
-      id, html_escape(table.title()));
-  std::vector<std::string> css;
-  for (std::size_t c = 0; c < table.columns().size(); ++c) {
-    const Column& column = table.columns()[c];
-    css.push_back(class_of(table, c));
-    html += fmt::format(
-        "<th scope=\"col\" class=\"{}\" data-key=\"{}\"><button type=\"button\">{}</button></th>",
-        css.back(), html_escape(column.key), html_escape(column.head));
-  }
-  html += "</tr></thead>\n<tbody>\n";
-  for (const auto& row : table.rows()) {
-    html += "<tr>";
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const std::string cell = cell_html(row[c], css[c], table.columns()[c].key, parts);
-      html += (c == 0 ? "<th scope=\"row\"" : "<td") + cell + (c == 0 ? "</th>" : "</td>");
-    }
-    html += "</tr>\n";
-  }
+      "<div class=\"table{3}\"{0}>\n<p class=\"caption\" id=\"{1}\">{2}</p>\n"
+      "<div class=\"tools\" hidden><label>Filter <input type=\"search\" aria-describedby=\"{1}\"></label><span class=\"count\" aria-live=\"polite\"></span><button type=\"button\">Copy as CSV</button></div>\n"
+      "<div class=\"box\" role=\"region\" aria-labelledby=\"{1}\" tabindex=\"0\"><table aria-labelledby=\"{1}\">\n",
+      has_script ? fmt::format(" data-rows=\"{}\" data-script=\"{}\"", all, setting.script) : "",
+      id, html_escape(table.title()), setting.css.empty() ? "" : " " + setting.css);
+  html += head_html(table) + "<tbody>\n";
+  html += rows_html(table, has_script ? std::min(all, kFirstRows) : all, setting);
   html += "</tbody></table></div>\n<button type=\"button\" class=\"more\" hidden></button>\n";
+  if (has_script) html += absent_rows_html(table, setting.csv);
   for (const std::string& note : table.notes()) {
     html += fmt::format("<p class=\"note\">{}</p>\n", html_escape(note));
   }
+  if (!setting.csv.empty()) {
+    html += fmt::format("<p class=\"note\"><a href=\"{0}\">{0}</a></p>\n", setting.csv);
+  }
   return html + "</div>\n";
+}
+
+std::string rows_script(const Table& table, const TableSetting& setting) {
+  const nlohmann::json name = table.name(), rows = rows_html(table, table.rows().size(), setting);
+  return fmt::format("clipscopeRows({}, {});\n", name.dump(), rows.dump());
 }
 
 }  // namespace clipscope::experiments

@@ -10,6 +10,7 @@
 
 #include "experiments/machine/files.hpp"
 #include "experiments/report/page_assets.hpp"
+#include "experiments/report/page_source.hpp"
 #include "experiments/store/run_folder.hpp"
 
 namespace clipscope::experiments {
@@ -24,43 +25,13 @@ constexpr const char* kShown[] = {"machine", "compiler", "flags",   "version",
 
 constexpr const char* kClaims = "claims";
 
+// What a page may load that has files beside it (CSP level 3, 2.3.1), from a disk or a server.
+constexpr const char* kBeside = "'self' file:";
+
 using Experiments = std::vector<StoredExperiment>;
 
-std::string unreadable(const StoredFigure& figure) {
-  return fmt::format("<p class=\"missing\">{} can't be read.</p>\n", html_escape(figure.file));
-}
-
-// Everything up to the root element goes: in a page there is no XML declaration. The picture gets a
-// name for those who can't see it.
-std::string plot_html(const StoredFigure& figure, const std::string& bytes) {
-  const std::size_t begin = bytes.find("<svg");
-  if (begin == std::string::npos) return unreadable(figure);
-  return fmt::format(
-      "<figure class=\"plot\"><div tabindex=\"0\"><svg role=\"img\" aria-label=\"{}\"{}</div>\n<figcaption>{}</figcaption></figure>\n",
-      html_escape(figure.title + ". " + figure.caption), bytes.substr(begin + 4),
-      html_escape(figure.caption));
-}
-
-// Width and height of a PNG, so that the page needs not move when it is shown (PNG specification,
-// 5.2 and 11.2.2: eight bytes of signature, length and name of IHDR, then two numbers of four
-// bytes).
-std::string size_attributes(const std::string& png) {
-  if (png.size() < 24) return "";
-  const auto number = [&](std::size_t at) {
-    unsigned value = 0;
-    for (const char c : png.substr(at, 4)) value = value << 8 | static_cast<unsigned char>(c);
-    return value;
-  };
-  return fmt::format(" width=\"{}\" height=\"{}\"", number(16), number(20));
-}
-
-std::string picture_html(const StoredFigure& figure, const std::string& bytes) {
-  if (bytes.empty()) return unreadable(figure);
-  const bool is_png = !figure.file.ends_with(".svg");
-  return fmt::format(
-      "<figure><button type=\"button\" title=\"Enlarge\"><img loading=\"lazy\" decoding=\"async\" alt=\"{0}\"{1} src=\"data:{2};base64,{3}\"></button>\n<figcaption>{0}</figcaption></figure>\n",
-      html_escape(figure.caption.empty() ? figure.file : figure.caption),
-      is_png ? size_attributes(bytes) : "", is_png ? "image/png" : "image/svg+xml", base64(bytes));
+auto is_called(const char* name) {
+  return [name](const StoredExperiment& e) { return e.name == name; };
 }
 
 std::string album_html(const std::string& pictures, std::size_t count) {
@@ -117,56 +88,64 @@ Table worst_inputs_table(const std::string& experiment, const std::vector<WorstI
   return table;
 }
 
-std::string section_html(const ResultsStore& store, const std::filesystem::path& directory,
-                         const StoredExperiment& experiment, const std::set<std::string>& parts) {
+std::string section_html(const PageSource& source, const StoredExperiment& experiment) {
   const std::string& name = experiment.name;
   std::string html = fmt::format(
       "<section id=\"{0}\" aria-labelledby=\"{0}-head\">\n<h2 id=\"{0}-head\"><a class=\"anchor\" href=\"#{0}\">{0}</a></h2>\n<p class=\"question\">{1}</p>\n",
       html_escape(name), html_escape(experiment.question));
   std::string plots, pictures, tally, main_table, tables;
   std::size_t count = 0;  // of pictures
-  for (const StoredFigure& figure : store.figures(name)) {
-    const std::string bytes = read_if_there(directory / figure.file);
+  for (const StoredFigure& figure : source.store().figures(name)) {
     if (figure.kind == FigureKind::plot) {
-      plots += plot_html(figure, bytes);
+      plots += source.plot(figure);
     } else {
-      pictures += picture_html(figure, bytes);
+      pictures += source.picture(figure);
       ++count;
     }
   }
-  for (const StoredTable& stored : store.tables()) {
+  for (const StoredTable& stored : source.store().tables()) {
     if (stored.experiment != name) continue;
-    const Table table = store.table(stored.name);
+    const Table table = source.store().table(stored.name);
     // The table that answers the question is called by the experiment's name.
-    (stored.name == name ? main_table : tables) += table_html(table, parts);
+    (stored.name == name ? main_table : tables) += source.table(table, name);
     if (stored.name == name && name == kClaims) tally = tally_html(table);
   }
   html += tally + finding_html(experiment) + plots + main_table + tables;
   html += album_html(pictures, count);
-  const std::vector<WorstInput> inputs = store.worst_inputs(name);
+  const std::vector<WorstInput> inputs = source.store().worst_inputs(name);
   if (!inputs.empty()) {
     const Table table = worst_inputs_table(name, inputs);
     html += fmt::format("<details><summary>{}</summary>\n{}</details>\n",
-                        html_escape(table.title()), table_html(table));
+                        html_escape(table.title()), source.table(table, name));
   }
   return html + command_html(experiment.command) + "</section>\n";
 }
 
-std::string header_html(const RunInfo& run) {
-  std::string html =
-      "<header>\n<h1>Where should a triangle be clipped?</h1>\n<p class=\"subtitle\">Results of one run of clipscope: clippers in view space, clip space and the canonical view volume, judged by exact arithmetic.</p>\n<dl class=\"run\">\n";
+std::string run_html(const RunInfo& run) {
+  std::string html = "<dl class=\"run\">\n";
   for (const char* name : kShown) {
     const std::string value = value_of(run, name);
     if (value.empty()) continue;
     html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, html_escape(value));
   }
-  return html + "</dl>\n</header>\n";
+  return html + "</dl>\n";
 }
 
-std::string contents_html(const Experiments& experiments) {
-  std::string html =
-      "<nav aria-label=\"Contents\"><details open><summary>Contents</summary><ol>\n"
-      "<li><a href=\"#findings\">Findings</a></li>\n";
+// A first pass says so before anything else.
+std::string header_html(const RunInfo& run) {
+  std::string html = fmt::format("<header>\n<h1>{}</h1>\n", kPageQuestion);
+  if (value_of(run, "pass") == "first") {
+    html +=
+        "<p class=\"banner\"><b>First pass.</b> Times are of few rounds, and figures may still move. The full pass replaces this page when it ends.</p>\n";
+  }
+  return html +
+         "<p class=\"subtitle\">Results of one run of clipscope: clippers in view space, clip space and the canonical view volume, judged by exact arithmetic.</p>\n</header>\n";
+}
+
+std::string contents_html(const Experiments& experiments, bool has_answers) {
+  std::string html = "<nav aria-label=\"Contents\"><details open><summary>Contents</summary><ol>\n";
+  if (has_answers) html += "<li><a href=\"#answers\">Answers</a></li>\n";
+  html += "<li><a href=\"#findings\">Findings</a></li>\n";
   for (const StoredExperiment& e : experiments) {
     html += fmt::format("<li><a href=\"#{0}\">{0}</a></li>\n", html_escape(e.name));
   }
@@ -203,28 +182,40 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
 
 }  // namespace
 
-std::string report_page(const ResultsStore& store, const std::filesystem::path& directory) {
+ReportPage report_page(const ResultsStore& store, const std::filesystem::path& directory,
+                       PageForm form) {
+  const PageSource source(store, directory, form);
+  const RunInfo run = store.run_info();
+  const std::string answers = answers_html(source);
   Experiments experiments = store.experiments();
-  std::set<std::string> parts;
-  for (const StoredExperiment& e : experiments) parts.insert(e.name);
-  std::stable_partition(experiments.begin(), experiments.end(),
-                        [](const StoredExperiment& e) { return e.name == kClaims; });
-  std::string body =
-      contents_html(experiments) + header_html(store.run_info()) + "<main id=\"content\">\n";
+  if (!answers.empty()) std::erase_if(experiments, is_called(kAnswers));
+  std::ranges::stable_partition(experiments, is_called(kClaims));
+  std::string body = contents_html(experiments, !answers.empty()) + header_html(run) +
+                     "<main id=\"content\">\n" + answers + "<details" +
+                     (answers.empty() ? " open" : "") + "><summary>The run</summary>\n" +
+                     run_html(run) + "</details>\n";
   auto rest = experiments.begin();
-  if (parts.contains(kClaims)) body += section_html(store, directory, *rest++, parts);
+  if (source.parts().contains(kClaims)) body += section_html(source, *rest++);
   body += findings_html(experiments);
-  for (; rest != experiments.end(); ++rest) body += section_html(store, directory, *rest, parts);
-  body +=
-      "</main>\n<footer>Written by <span class=\"name\">clipscope report</span> from the run's results.sqlite; it needs no other file.</footer>\n";
-  return filled(kPageHtml, {{"title", "clipscope: where should a triangle be clipped?"},
-                            {"style", kPageCss},
-                            {"script", kPageJs},
-                            {"body", std::move(body)}});
+  for (; rest != experiments.end(); ++rest) body += section_html(source, *rest);
+  body += fmt::format(
+      "</main>\n<footer>Written by <span class=\"name\">clipscope report</span> from the run's results.sqlite; {}</footer>\n",
+      form == PageForm::folder ? "pictures and long tables lie in the files beside it."
+                               : "it needs no other file.");
+  return {filled(kPageHtml, {{"title", "clipscope: where should a triangle be clipped?"},
+                             {"scripts", form == PageForm::folder ? kBeside : ""},
+                             {"pictures", form == PageForm::folder ? kBeside : "data:"},
+                             {"style", kPageCss},
+                             {"script", kPageJs},
+                             {"body", std::move(body)}}),
+          source.scripts()};
 }
 
-void write_report(const ResultsStore& store, const std::filesystem::path& directory) {
-  write_file(directory / kReportFile, report_page(store, directory));
+void write_report(const ResultsStore& store, const std::filesystem::path& directory,
+                  PageForm form) {
+  const ReportPage page = report_page(store, directory, form);
+  for (const auto& [file, script] : page.scripts) write_file(directory / file, script);
+  write_file(directory / kReportFile, page.html);
 }
 
 }  // namespace clipscope::experiments

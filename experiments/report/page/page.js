@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the page does: tables sorted, filtered, shortened and copied; commands copied; pictures enlarged; the
-// section in view marked among the contents. Without it all rows are shown.
+// section in view marked among the contents. The rows of a long table are loaded when they are asked for.
+// Without it the rows in the page are shown.
 'use strict';
 (() => {
   const FEW = 50;    // rows that are shown without being asked for
@@ -53,29 +54,59 @@
       .map((cells) => cells.map(quote).join(',') + '\n').join('');
   };
 
+  // The scripts of rows call it with a table's name and its rows.
+  const waiting = new Map();
+  window.clipscopeRows = (name, html) => waiting.get(name)(html);
+
   const setUpTable = (figure) => {
     const table = figure.querySelector('table');
     const body = table.tBodies[0];
-    const rows = [...body.rows];
-    const texts = rows.map((row) => row.textContent.toLowerCase());
     const tools = figure.querySelector('.tools');
     const input = tools.querySelector('input');
     const count = tools.querySelector('.count');
     const more = figure.querySelector('.more');
-    let all = rows.length <= FEW;
+    const { script } = figure.dataset;
+    const total = Number(figure.dataset.rows ?? body.rows.length);
+    let rows = [...body.rows];
+    let texts = null;  // of the rows, once somebody filters
+    let loaded = null;
+    let all = total <= FEW;
 
     // Hides what the filter leaves out, and of what it leaves in all but the first rows.
     const show = () => {
       const words = input.value.toLowerCase().split(/\s+/).filter(Boolean);
+      if (words.length > 0) texts ??= rows.map((row) => row.textContent.toLowerCase());
       rows.forEach((row, i) => row.classList.toggle('out', !words.every((w) => texts[i].includes(w))));
       const left = [...body.rows].filter((row) => !row.classList.contains('out'));
-      const shown = all || left.length <= FEW ? left.length : FIRST;
+      const found = rows.length < total ? total : left.length;
+      const shown = all || found <= FEW ? found : FIRST;
       left.forEach((row, i) => row.classList.toggle('rest', i >= shown));
-      more.hidden = shown === left.length && !(all && left.length > FEW);
-      more.textContent = shown < left.length ? `Show all ${left.length} rows` : `Show the first ${FIRST} rows only`;
-      more.setAttribute('aria-expanded', String(shown === left.length));
-      const of = left.length === rows.length ? `${rows.length} rows` : `${left.length} of ${rows.length} rows`;
-      count.textContent = shown < left.length ? `${of}, the first ${shown} shown` : of;
+      more.hidden = shown === found && !(all && found > FEW);
+      more.textContent = shown < found ? `Show all ${found} rows` : `Show the first ${FIRST} rows only`;
+      more.setAttribute('aria-expanded', String(shown === found));
+      const of = found === total ? `${total} rows` : `${found} of ${total} rows`;
+      count.textContent = shown < found ? `${of}, the first ${shown} shown` : of;
+    };
+
+    const load = () => new Promise((done, failed) => {
+      waiting.set(figure.querySelector('.caption').id.slice('table-'.length), (html) => {
+        body.innerHTML = html;
+        rows = [...body.rows];
+        texts = null;
+        done();
+      });
+      document.head.append(Object.assign(document.createElement('script'), { src: script, onerror: failed }));
+    });
+
+    // Does it when all rows are there.
+    const withRows = async (work) => {
+      try {
+        if (script) await (loaded ??= load());
+        work();
+      } catch {
+        loaded = null;
+        count.textContent = `${script} can't be loaded; it has the other rows`;
+      }
     };
 
     const sort = (header) => {
@@ -95,11 +126,12 @@
 
     for (const header of table.tHead.rows[0].cells) {
       header.setAttribute('aria-sort', 'none');
-      header.querySelector('button').addEventListener('click', () => sort(header));
+      header.querySelector('button').addEventListener('click', () => withRows(() => sort(header)));
     }
-    input.addEventListener('input', show);
-    more.addEventListener('click', () => { all = !all; show(); });
-    tools.querySelector('button').addEventListener('click', (event) => copy(csvOf(table), event.currentTarget));
+    input.addEventListener('input', () => withRows(show));
+    more.addEventListener('click', () => withRows(() => { all = !all; show(); }));
+    const button = tools.querySelector('button');
+    button.addEventListener('click', () => withRows(() => { copy(csvOf(table), button); }));
     tools.hidden = false;
     show();
   };
@@ -113,10 +145,10 @@
 
   const dialog = document.getElementById('enlarged');
   const enlarged = dialog.querySelector('img');
-  for (const button of document.querySelectorAll('.pictures button')) {
+  for (const button of document.querySelectorAll('.pictures button, .readers figure button')) {
     button.addEventListener('click', () => {
       const image = button.querySelector('img');
-      enlarged.src = image.src;
+      enlarged.src = image.getAttribute('src');
       enlarged.alt = image.alt;
       dialog.showModal();
     });

@@ -92,6 +92,91 @@ struct SampleExperiment {
 
 using SampleRun = std::vector<SampleExperiment>;
 
+// What experiments/answers leaves, its columns by the keys that the page reads.
+inline Table sample_sentences() {
+  Table table("answers", "Where should a triangle be clipped?",
+              {{"id", "id"},
+               {"question", "question"},
+               {"answer", "answer"},
+               {"experiment", "experiment"},
+               {"table", "table"}});
+  const auto add = [&](const char* id, const char* question, const char* answer,
+                       const char* experiment, const char* evidence) {
+    table.add_row({std::string(id), std::string(question), std::string(answer),
+                   std::string(experiment), std::string(evidence)});
+  };
+  add("space", "Where should a triangle be clipped?", "In clip space, if a < b.", "sample", "odd");
+  add("price", "What does accuracy cost?", "52 % more time.", "sample", "answers_prices");
+  add("w", "What about w <= 0?", "Clip first.", "sample", "gone");
+  add("lost", "And without evidence?", "This run does not say.", "elsewhere", "gone");
+  return table;
+}
+
+inline Table sample_prices() {
+  Table table("answers_prices", "What accuracy costs in time",
+              {{"step", "step"},
+               {"clipper", "clipper"},
+               {"ns_per_triangle", "ns/tri"},
+               {"ns_low", "95 % low"},
+               {"ns_high", "high"},
+               {"over_fastest_percent", "over fastest [%]"}});
+  table.add_row({std::string("fastest"), std::string("a/b"), 20.0, 19.0, 21.0, 0.0});
+  table.add_row({std::string("exact"), std::string("c/d"), 30.5, 30.0, 31.0, 52.5});
+  return table;
+}
+
+// sample/a.png is a picture of the sample.
+inline Table sample_readers() {
+  Table table("answers_readers", "Which clipper for whom",
+              {{"reader", "for"},
+               {"needs", "needs"},
+               {"recommended", "recommended"},
+               {"clipper", "clipper"},
+               {"scalar", "scalar"},
+               {"order", "order"},
+               {"guard", "guard"},
+               {"ns_per_triangle", "ns/tri"},
+               {"over_fastest_percent", "over fastest [%]"},
+               {"otherwise", "otherwise"},
+               {"picture", "picture"}});
+  for (const char* picture : {"sample/a.png", ""}) {
+    table.add_row({std::string("a rasteriser that indexes <memory>"), std::string("stays in range"),
+                   std::string("clip space"), std::string("homogeneous/sutherland_hodgman"),
+                   std::string("float"), std::string("near first"), std::string("guard"), 21.25,
+                   6.5, std::string("writes out of bounds"), std::string(picture)});
+  }
+  return table;
+}
+
+inline Table sample_stability() {
+  Table table("answers_stability", "Which methods stay right",
+              {{"method", "method"},
+               {"scalar", "scalar"},
+               {"all", "all"},
+               {"w_sign", "w sign"},
+               {"sliver", "sliver"}});
+  const auto count = [](std::int64_t n) { return Cell(n); };
+  table.add_row({std::string("cases"), Cell(), count(60), count(20), count(40)});
+  table.add_row({std::string("good"), std::string("float"), count(0), count(0), count(0)});
+  table.add_row({std::string("fair"), std::string("float"), count(4), count(0), count(4)});
+  table.add_row({std::string("poor"), std::string("float"), count(5), Cell(), count(5)});
+  return table;
+}
+
+inline Table sample_effects() {
+  Table table("answers_effects", "Which effects each scene calls for",
+              {{"scene", "scene"}, {"saved_percent", "time saved [%]"}});
+  table.add_row({std::string("floor"), 18.0});
+  return table;
+}
+
+inline SampleExperiment sample_answers(const std::string& hero) {
+  return {
+      {"answers", "Where, and at what price?", "clipscope run answers", "In clip space.", 1, true},
+      {sample_sentences(), sample_effects(), sample_stability(), sample_readers(), sample_prices()},
+      {{{FigureKind::plot, "answers/answers_frontier.svg", "A plot", "What it shows"}, hero}}};
+}
+
 // plots: SVG files as write_plot leaves them.
 inline SampleRun sample_run(const std::vector<std::string>& plots) {
   SampleExperiment sample{
@@ -126,7 +211,13 @@ inline ResultsStore store_of(const SampleRun& run, const std::filesystem::path& 
     for (const Table& table : tables) recorder.add(table);
     for (const auto& [figure, bytes] : figures) {
       recorder.add(figure);
-      if (!bytes.empty()) write_file(folder / figure.file, bytes);
+      if (bytes.empty()) continue;
+      const std::filesystem::path path = folder / figure.file;
+      write_file(path, bytes);
+      // A plot is three files.
+      if (figure.kind == FigureKind::plot) {
+        write_file(std::filesystem::path(path).replace_extension(".png"), sample_png());
+      }
     }
     recorder.set_finding(experiment.finding);
     if (experiment.finished) recorder.finish(experiment.seconds);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/report/html.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/table/utf8.hpp"
 #include "tests/catch.hpp"
@@ -15,16 +16,28 @@ using namespace clipscope::experiments;
 
 namespace {
 
+const std::string kSvg = "<?xml version=\"1.0\"?>\n<svg viewBox=\"0 0 30 20\"><path/></svg>";
+
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-std::string page_of(const SampleRun& run) {
+ReportPage whole_page_of(const SampleRun& run, PageForm form = PageForm::folder) {
   const auto folder =
       std::filesystem::temp_directory_path() / ("clipscope-page-" + std::to_string(getpid()));
-  const std::string page = report_page(store_of(run, folder), folder);
+  const ReportPage page = report_page(store_of(run, folder), folder, form);
   std::filesystem::remove_all(folder);
   return page;
+}
+
+std::string page_of(const SampleRun& run, PageForm form = PageForm::folder) {
+  return whole_page_of(run, form).html;
+}
+
+SampleRun with_answers() {
+  SampleRun run = sample_run({});
+  run.push_back(sample_answers(kSvg));
+  return run;
 }
 
 }  // namespace
@@ -74,7 +87,7 @@ TEST_CASE("table in a page: a table without rows has its head and no row") {
 }
 
 TEST_CASE("table in a page: an experiment is a link only if the page has it") {
-  const std::string html = table_html(sample_claims(), {"sample"});
+  const std::string html = table_html(sample_claims(), {.parts = {"sample"}});
   CHECK(contains(html, "<a href=\"#sample\">sample</a>"));
   CHECK(contains(html, ">elsewhere</td>"));
   CHECK(contains(html, "<span class=\"verdict refuted\">refuted</span>"));
@@ -109,18 +122,103 @@ TEST_CASE("page: what is missing is said, not left out") {
   content[0].experiment.finding.clear();
   CHECK(contains(page_of(content), "left no finding"));
   CHECK(contains(page_of({}), "left no finding"));
-  CHECK(contains(page_of(sample_run({"no picture"})), "sample/plot1.svg can't be read"));
+  CHECK(contains(page_of(sample_run({"no picture"}), PageForm::single_file),
+                 "sample/plot1.svg can't be read"));
 }
 
-TEST_CASE("page: a plot stands in it as it is, a picture in base64 with its size") {
-  const std::string page =
-      page_of(sample_run({"<?xml version=\"1.0\"?>\n<svg viewBox=\"0 0 1 1\"><path/></svg>"}));
+TEST_CASE(
+    "page: plots and pictures are shown where they lie, with their sizes, and none is in it") {
+  const std::string page = page_of(sample_run({kSvg}));
+  CHECK(contains(
+      page, "alt=\"A plot. What it shows\" width=\"1\" height=\"1\" src=\"sample/plot1.png\">"));
+  CHECK(
+      contains(page, "<a href=\"sample/plot1.svg\">SVG</a> <a href=\"sample/plot1.pdf\">PDF</a>"));
   CHECK(contains(page,
-                 "<svg role=\"img\" aria-label=\"A plot. What it shows\" viewBox=\"0 0 1 1\">"));
-  CHECK_FALSE(contains(page, "<?xml"));
-  CHECK(contains(page,
-                 "width=\"1\" height=\"1\" src=\"data:image/png;base64," + base64(sample_png())));
-  CHECK(contains(page, "alt=\"A &quot;picture&quot;\""));
+                 "alt=\"A &quot;picture&quot;\" width=\"1\" height=\"1\" src=\"sample/a.png\""));
+  for (const char* part : {"base64", "<svg", "data:"}) CHECK_FALSE(contains(page, part));
+}
+
+TEST_CASE("page: the rows of a long table lie in a script beside it, whose size the page has not") {
+  SampleRun run = sample_run({});
+  const ReportPage page = whole_page_of(run);
+  REQUIRE(page.scripts.size() == 1);
+  const auto& [file, script] = *page.scripts.begin();
+  CHECK(file == "report/long.js");
+  CHECK(script.starts_with("clipscopeRows(\"long\", \"<tr>"));
+  CHECK(contains(page.html, "data-rows=\"160\" data-script=\"report/long.js\""));
+  CHECK(contains(page.html, "<noscript>"));
+  Table& table = run[0].tables[1];
+  for (int i = 0; i < 3000; ++i) table.add_row(std::vector<Cell>(table.rows()[0]));
+  const ReportPage longer = whole_page_of(run);
+  CHECK(longer.html.size() < page.html.size() + 10);
+  CHECK(longer.scripts.at(file).size() > 10 * script.size());
+}
+
+TEST_CASE("page: a single file has plots, pictures as WebP and all rows in it, and loads nothing") {
+  const ReportPage page = whole_page_of(sample_run({kSvg}), PageForm::single_file);
+  CHECK(page.scripts.empty());
+  CHECK(contains(page.html, "<svg role=\"img\" aria-label=\"A plot. What it shows\" viewBox="));
+  CHECK_FALSE(contains(page.html, "<?xml"));
+  CHECK(contains(page.html,
+                 "width=\"1\" height=\"1\" src=\"data:image/webp;base64,UklGR"));  // "RIFF"
+  for (const char* part : {"src=\"sample", "href=\"sample", "data-script", "'self'"}) {
+    CHECK_FALSE(contains(page.html, part));
+  }
+  std::size_t rows = 0;
+  for (std::size_t at = 0; (at = page.html.find("<tr>", at)) != std::string::npos; ++at) ++rows;
+  CHECK(rows > 160);
+}
+
+TEST_CASE("page: a file's name is an address, whatever is in it") {
+  CHECK(url_of("pictures/floor-cvv_near.png") == "pictures/floor-cvv_near.png");
+  CHECK(url_of("a b#1/%\"<é") == "a%20b%231/%25%22%3C%C3%A9");
+}
+
+TEST_CASE("page: the answers lead, each sentence with its evidence if the page has it") {
+  const std::string page = page_of(with_answers());
+  CHECK(page.find("<section id=\"answers\"") < page.find("<section id=\"claims\""));
+  CHECK(contains(
+      page,
+      "<p class=\"lead\">In clip space, if a &lt; b. <a class=\"evidence\" href=\"#table-odd\">"));
+  CHECK(
+      contains(page, "<dd>52 % more time. <a class=\"evidence\" href=\"#table-answers_prices\">"));
+  CHECK(contains(page, "<dd>Clip first. <a class=\"evidence\" href=\"#sample\">"));
+  CHECK(contains(page, "<dd>This run does not say.</dd>"));
+  CHECK_FALSE(contains(page, "id=\"answers-head\""));  // not among the experiments again
+  CHECK_FALSE(contains(page_of(sample_run({})), "\"answers\""));
+}
+
+TEST_CASE("page: the first screen's tables stand in one order, whatever that of the store") {
+  const std::string page = page_of(with_answers());
+  std::size_t last = 0;
+  for (const char* name : {"prices", "readers", "stability", "effects"}) {
+    const std::size_t at = page.find(std::string("id=\"table-answers_") + name);
+    REQUIRE(at != std::string::npos);
+    CHECK(at > last);
+    last = at;
+  }
+  CHECK_FALSE(contains(page, "a/b"));  // the price list names steps
+  CHECK(contains(page, "a rasteriser that indexes &lt;memory&gt;"));
+}
+
+TEST_CASE("page: the matrix is coloured by the share of its theme's cases that a method fails on") {
+  SampleRun run = with_answers();
+  const auto shown = [&](const std::string& part) { return contains(page_of(run), part); };
+  CHECK(shown("<td class=\"n few\" data-v=\"4\">4</td>"));   // of 60 and of 40
+  CHECK(shown("<td class=\"n many\" data-v=\"5\">5</td>"));  // of 40
+  CHECK(shown("<td class=\"n right\" data-v=\"0\">0</td>"));
+  Table& matrix = run.back().tables[2];
+  matrix.add_row(
+      {std::string("new"), std::string("float"), std::int64_t{7}, std::int64_t{7}, Cell()});
+  CHECK(shown("<td class=\"n many\" data-v=\"7\">7</td>"));
+}
+
+TEST_CASE("page: a first pass says so, another does not") {
+  const auto page = [](const RunInfo& info) {
+    return report_page(ResultsStore(create_database({}, info), {}), {}).html;
+  };
+  CHECK(contains(page({{"pass", "first"}}), "<b>First pass.</b>"));
+  CHECK_FALSE(contains(page({{"machine", "a"}}), "First pass"));
 }
 
 TEST_CASE("page: many pictures are folded") {
@@ -129,7 +227,7 @@ TEST_CASE("page: many pictures are folded") {
   auto& figures = content[0].figures;
   for (int i = 0; i < 20; ++i) {
     figures.push_back(figures[0]);
-    figures.back().figure.file = std::to_string(i) + ".png";
+    figures.back().figure.file = "sample/" + std::to_string(i) + ".png";
   }
   CHECK(contains(page_of(content), "<summary>22 pictures</summary>"));
 }

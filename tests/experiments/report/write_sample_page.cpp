@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// write_sample_page FOLDER: two plots and report.html, for a browser to be tried on.
+// write_sample_page FOLDER folder|single: plots and report.html of that form, for a browser to be
+// tried on.
 #include <exception>
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <string_view>
 
 #include "experiments/report/plot.hpp"
 #include "tests/experiments/report/sample_page.hpp"
@@ -23,8 +25,8 @@ std::string drawn(const Plot& plot, const std::filesystem::path& folder) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
-  if (argc != 2) {
-    std::cerr << "usage: write_sample_page FOLDER\n";
+  if (argc != 3) {
+    std::cerr << "usage: write_sample_page FOLDER folder|single\n";
     return 2;
   }
   const std::filesystem::path folder = argv[1];
@@ -42,8 +44,12 @@ int main(int argc, char* argv[]) {
                     .y = {.label = "t [ns]"},
                     .series = {{.name = "float", .x = {}, .y = {1, 2}}},
                     .categories = {"one", "two & <three>"}};
-    const SampleRun run = sample_run({drawn(lines, folder), drawn(bars, folder)});
-    write_report(store_of(run, folder), folder);
+    Plot hero = lines;
+    hero.name = "answers_frontier";
+    SampleRun run = sample_run({drawn(lines, folder), drawn(bars, folder)});
+    run.push_back(sample_answers(drawn(hero, folder)));
+    write_report(store_of(run, folder), folder,
+                 std::string_view(argv[2]) == "single" ? PageForm::single_file : PageForm::folder);
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -93,7 +93,9 @@ std::optional<std::string> text_of_entry(const PaperRows& run, const Json& entry
 }
 
 std::string value_text(const PaperRows& run, const Json& entry) {
-  if (const auto text = text_of_entry(run, entry)) return latex_prose(*text);
+  if (const auto text = text_of_entry(run, entry)) {
+    return latex_prose(run.name_of(entry.at("column").get<std::string>(), *text));
+  }
   const double figure = figure_of(run, entry);
   const std::string format = entry.value("format", "");
   const std::string number = format.empty()
@@ -167,10 +169,10 @@ struct LatexTable {
   }
 };
 
-std::string latex_cell(const PaperRows& run, const Cell& cell) {
+std::string latex_cell(const PaperRows& run, const std::string& column, const Cell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return latex_number(*number);
   if (std::holds_alternative<std::monostate>(cell)) return "--";
-  return latex_prose(run.name_of(format_cell(cell)));
+  return latex_prose(run.name_of(column, format_cell(cell)));
 }
 
 LatexTable plain_table(const PaperRows& run, const Json& entry) {
@@ -183,7 +185,9 @@ LatexTable plain_table(const PaperRows& run, const Json& entry) {
   const auto rows = run.cells(entry, columns);
   for (const auto& row : rows) {
     auto& cells = table.rows.emplace_back();
-    for (const Cell& cell : row) cells.push_back(latex_cell(run, cell));
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      cells.push_back(latex_cell(run, columns[c], row[c]));
+    }
   }
   // Left for columns that hold a text, right for numbers.
   for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -202,15 +206,18 @@ LatexTable pivot_table(const PaperRows& run, const Json& entry) {
   const auto value_column = pivot.at("value").get<std::string>();
   const std::vector<std::string> across = run.texts(entry, column_column);
   LatexTable table{{pivot.value("head", "")}, {}, "l" + std::string(across.size(), 'r')};
-  for (const std::string& text : across) table.heads.push_back(latex_cell(run, text));
+  for (const std::string& text : across) {
+    table.heads.push_back(latex_cell(run, column_column, text));
+  }
   for (const std::string& text : run.texts(entry, row_column)) {
-    auto& cells = table.rows.emplace_back(1, latex_cell(run, text));
+    auto& cells = table.rows.emplace_back(1, latex_cell(run, row_column, text));
     for (const std::string& other : across) {
       Json one = {{"table", entry.at("table")}, {"where", entry.value("where", Json::object())}};
       one["where"][row_column] = text;
       one["where"][column_column] = other;
       const auto found = run.cells(one, {value_column});
-      cells.push_back(latex_cell(run, found.empty() ? Cell() : found.front().front()));
+      cells.push_back(
+          latex_cell(run, value_column, found.empty() ? Cell() : found.front().front()));
     }
   }
   return table;

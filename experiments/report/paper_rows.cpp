@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "experiments/contestants/spoken.hpp"
+
 namespace clipscope::experiments {
 namespace {
 
@@ -108,6 +110,12 @@ std::vector<std::string> PaperRows::texts(const PaperEntry& entry,
   }
   const PaperEntry only = part(entry, "only");
   return only.contains(column) ? only.at(column).get<std::vector<std::string>>() : texts;
+}
+
+std::string PaperRows::name_of(const std::string& column, const std::string& text) const {
+  if (column == "clipper") return spoken_clipper(text);
+  if (column == "scalar") return spoken_scalar(text);
+  return names_.value(text, text);
 }
 
 }  // namespace clipscope::experiments

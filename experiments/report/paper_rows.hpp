@@ -24,7 +24,7 @@ using PaperEntry = nlohmann::ordered_json;  // columns stay in the order given
 
 class PaperRows {
  public:
-  // names: what the paper calls things that the tables have other words for, by these.
+  // names: what the paper calls other things that tables have, by the words of these.
   PaperRows(const ResultsStore& store, PaperEntry names)
       : store_(store), names_(std::move(names)) {}
 
@@ -37,7 +37,8 @@ class PaperRows {
   // The distinct texts in a column of them, in the order of "only", else of appearance.
   std::vector<std::string> texts(const PaperEntry& entry, const std::string& column) const;
 
-  std::string name_of(const std::string& text) const { return names_.value(text, text); }
+  // What the paper calls a text of that column: clippers and scalars as sentences do.
+  std::string name_of(const std::string& column, const std::string& text) const;
 
  private:
   const Table& table(const std::string& name) const;

@@ -17,12 +17,12 @@ namespace {
 
 Table times() {
   Table table("times", "Times", {{"mix", "mix"}, {"clipper", "clipper"}, {"ns", "ns"}});
-  table.add_row({std::string("soup"), std::string("view/slow"), 60.0});
-  table.add_row({std::string("soup"), std::string("clip_fast"), 20.0});
-  table.add_row({std::string("soup"), std::string("cvv"), 30.0});
+  table.add_row({std::string("soup"), std::string("textbook"), 60.0});
+  table.add_row({std::string("soup"), std::string("homogeneous/sutherland_hodgman"), 20.0});
+  table.add_row({std::string("soup"), std::string("cvv/naive"), 30.0});
   table.add_row({std::string("soup"), std::string("refused"), Cell()});
-  table.add_row({std::string("hard"), std::string("clip_fast"), 50.0});
-  table.add_row({std::string("hard"), std::string("view/slow"), 0.0});
+  table.add_row({std::string("hard"), std::string("homogeneous/sutherland_hodgman"), 50.0});
+  table.add_row({std::string("hard"), std::string("textbook"), 0.0});
   return table;
 }
 
@@ -54,7 +54,7 @@ class Paper {
     return text.substr(begin, text.rfind("}\n") - begin);
   }
   std::string table(const std::string& more) const {
-    return file(R"({"names": {"cvv": "the cube"}, "tables": [{"file": "t", "table": "times", )" +
+    return file(R"({"names": {"soup": "game-like"}, "tables": [{"file": "t", "table": "times", )" +
                     more + "}]}",
                 "t.tex");
   }
@@ -76,22 +76,21 @@ TEST_CASE("paper: a value is taken from the rows that its entry selects") {
 
 TEST_CASE("paper: the first of ordered rows has the name of the fastest, or of the slowest") {
   const Paper paper;
-  CHECK(paper.value(R"("column": "clipper", "order": {"by": "ns"})") ==
-        "clip\\_\\allowbreak{}fast");
+  CHECK(paper.value(R"("column": "clipper", "order": {"by": "ns"})") == "clip space");
   CHECK(paper.value(R"("column": "clipper", "order": {"by": "ns", "descending": true})") ==
-        "view/\\allowbreak{}slow");
+        "the textbook clipper");
 }
 
 TEST_CASE("paper: a value over another one is a ratio or a percentage") {
   const Paper paper;
   const std::string both =
-      R"("column": "ns", "over": {"where": {"mix": "soup", "clipper": "cvv"}})";
+      R"("column": "ns", "over": {"where": {"mix": "soup", "clipper": "cvv/naive"}})";
   CHECK(paper.value(both) == "2.00");
   CHECK(paper.value(both + R"(, "as": "percent")") == "200");
   CHECK(paper.value(both + R"(, "as": "percent more")") == "100");
   CHECK_THROWS_AS(paper.value(both + R"(, "as": "parts")"), InputError);
   const std::string by_zero =
-      R"("column": "ns", "over": {"where": {"mix": "hard", "clipper": "view/slow"}})";
+      R"("column": "ns", "over": {"where": {"mix": "hard", "clipper": "textbook"}})";
   CHECK_THROWS_WITH(paper.value(by_zero), Catch::Contains("is 0"));
 }
 
@@ -111,17 +110,18 @@ TEST_CASE("paper: a table has the rows asked for, in that order, by the paper's 
       R"("columns": {"clipper": "method", "ns": "ns"}, "where": {"mix": "soup"}, )";
   const std::string head = "\\begin{tabular}{lr}\n\\toprule\nmethod & ns \\\\\n\\midrule\n";
   const std::string end = "\\bottomrule\n\\end{tabular}\n";
-  CHECK(paper.table(soup + R"("only": {"clipper": ["cvv", "clip_fast"]})") ==
-        head + "the cube & 30.0 \\\\\nclip\\_\\allowbreak{}fast & 20.0 \\\\\n" + end);
+  CHECK(paper.table(soup +
+                    R"("only": {"clipper": ["cvv/naive", "homogeneous/sutherland_hodgman"]})") ==
+        head + "dividing first with affine attributes & 30.0 \\\\\nclip space & 20.0 \\\\\n" + end);
   CHECK(paper.table(soup + R"("order": {"by": "ns", "descending": true}, "top": 1)") ==
-        head + "view/\\allowbreak{}slow & 60.0 \\\\\n" + end);
+        head + "the textbook clipper & 60.0 \\\\\n" + end);
 }
 
 TEST_CASE("paper: a pivot keeps the order of its lists, and dashes what is not there") {
   CHECK(Paper().table(R"("pivot": {"rows": "clipper", "columns": "mix", "value": "ns"},
-                         "only": {"clipper": ["cvv", "clip_fast"], "mix": ["hard", "soup"]})") ==
-        "\\begin{tabular}{lrr}\n\\toprule\n & hard & soup \\\\\n\\midrule\n"
-        "the cube & -- & 30.0 \\\\\nclip\\_\\allowbreak{}fast & 50.0 & 20.0 \\\\\n"
+                         "only": {"clipper": ["cvv/naive", "homogeneous/sutherland_hodgman"], "mix": ["hard", "soup"]})") ==
+        "\\begin{tabular}{lrr}\n\\toprule\n & hard & game-like \\\\\n\\midrule\n"
+        "dividing first with affine attributes & -- & 30.0 \\\\\nclip space & 50.0 & 20.0 \\\\\n"
         "\\bottomrule\n\\end{tabular}\n");
 }
 

@@ -15,6 +15,7 @@
 #include "experiments/machine/files.hpp"
 #include "experiments/report/experiment.hpp"
 #include "experiments/report/report.hpp"
+#include "experiments/report/results_readme.hpp"
 #include "experiments/store/run_folder.hpp"
 #include "experiments/store/run_recorder.hpp"
 
@@ -62,7 +63,7 @@ std::vector<std::size_t> check(const RunOptions& options) {
   selected_contestants(options.selection);
   write_file(
       std::filesystem::path(options.out) / "README.md",
-      "Tables and pictures written by `clipscope run`, and all results in one SQLite file, `results.sqlite`.\n");
+      "A run of clipscope is in work, or was interrupted. What it has finished is in `results.sqlite` and in a folder for each experiment.\n");
   return chosen;
 }
 
@@ -119,9 +120,9 @@ int run_experiments(RunOptions options) {
     context.tell_files();
   }
   write_report(recorder->store(), options.out);
+  write_results_readme(recorder->store(), options.out);
   fmt::print(stderr, "all done in {:.0f} s\n", seconds_since(run_start));
-  context.emit_file(context.out() / kReportFile);
-  context.tell_files();
+  if (!options.selection.json) fmt::print("  in {}: README.md, {}\n", options.out, kReportFile);
   return kExitOk;
 }
 
@@ -131,8 +132,8 @@ void add_run_command(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(
       app, action, run_experiments, "run", "Run experiments; write tables and pictures",
       R"(Printed are each experiment's finding and where its results are. Tables are written as
-Markdown, CSV and LaTeX, plots as SVG, PDF and PNG, pictures as PNG and EXR, and everything into
-DIR/results.sqlite, piece by piece: a run that was interrupted is finished by the same command
+Markdown, CSV and LaTeX, plots as SVG, PDF and PNG, pictures as PNG and EXR, each experiment's
+into a folder of its own, and everything into DIR/results.sqlite, piece by piece: a run that was interrupted is finished by the same command
 with --resume. See `clipscope table` and `clipscope diff`.)");
   command.add_option("experiment", options.names,
                      "Names of experiments (see `clipscope list experiments`) [all]");

@@ -63,6 +63,12 @@ std::string extension_of(const std::filesystem::path& path) {
   return lower_case(path.extension().string());
 }
 
+void make_folder(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw OutputError(fmt::format("{}: {}", path.string(), error.message()));
+}
+
 void write_file(const std::filesystem::path& path, const std::string& content) {
   std::error_code error;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);

@@ -23,6 +23,10 @@ std::string lower_case(std::string text);
 // In lower case: ".png"; empty if there is none.
 std::string extension_of(const std::filesystem::path& path);
 
+// Makes the directory, and those above it, unless it is there. Errors: OutputError naming the path
+// and the reason.
+void make_folder(const std::filesystem::path& path);
+
 // Writes a whole file under a temporary name and moves it into place, making the directory if there
 // is none. Errors: OutputError naming the path and the reason.
 void write_file(const std::filesystem::path& path, const std::string& content);

@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "experiments/machine/files.hpp"
 #include "experiments/store/run_recorder.hpp"
 #include "experiments/table/terminal.hpp"
 
@@ -18,33 +19,45 @@ constexpr std::size_t kPrintedFiles = 12;  // the page shows them all
 
 }  // namespace
 
-ExperimentContext::ExperimentContext(Selection selection, std::filesystem::path out,
+ExperimentContext::ExperimentContext(Selection selection, std::filesystem::path results,
                                      std::shared_ptr<RunRecorder> recorder)
     : selection_(std::move(selection)),
-      out_(std::move(out)),
+      results_(std::move(results)),
       recorder_(recorder ? std::move(recorder) : std::make_shared<RunRecorder>()) {}
+
+std::filesystem::path ExperimentContext::out() const { return results_ / recorder_->experiment(); }
 
 void ExperimentContext::piece(const std::string& name, std::initializer_list<Table*> tables,
                               const std::function<void(PieceRecord&)>& work) const {
-  if (!recorder_->restore(name, tables, out_)) recorder_->record(name, tables, work);
+  if (recorder_->restore(name, tables, results_)) return;
+  recorder_->record(name, tables, [&](PieceRecord& record) {
+    make_folder(out());
+    work(record);
+    for (Picture& picture : record.pictures) picture.file = in_results(picture.file);
+  });
+}
+
+std::string ExperimentContext::in_results(const std::string& file) const {
+  return fmt::format("{}/{}", recorder_->experiment(), file);
 }
 
 void ExperimentContext::emit(const Table& table) const {
   recorder_->add(table);
-  table.write(out_);
+  table.write(out());
   if (selection_.json) {
     fmt::print("{}\n", table.to_json().dump());
   } else if (selection_.tables) {
     fmt::print("{}\n", table.to_text(kPrintedRows));
   }
-  emit_file(out_ / (table.name() + ".{md,csv,tex}"));
+  emit_file(out() / (table.name() + ".{md,csv,tex}"));
   std::fflush(stdout);
 }
 
 void ExperimentContext::emit(const Plot& plot) const {
-  write_plot(plot, out_);
-  recorder_->add(StoredFigure{FigureKind::plot, plot.name + ".svg", plot.title, plot.caption});
-  emit_file(out_ / (plot.name + ".{svg,pdf,png}"));
+  write_plot(plot, out());
+  recorder_->add(
+      StoredFigure{FigureKind::plot, in_results(plot.name + ".svg"), plot.title, plot.caption});
+  emit_file(out() / (plot.name + ".{svg,pdf,png}"));
 }
 
 void ExperimentContext::finding(const std::string& sentence) const {
@@ -57,7 +70,7 @@ std::optional<Table> ExperimentContext::emitted(const std::string& table_name) c
 }
 
 void ExperimentContext::emit_file(const std::filesystem::path& path) const {
-  written_.push_back(path.lexically_proximate(out_).string());
+  written_.push_back(path.lexically_proximate(out()).string());
 }
 
 void ExperimentContext::tell_files() const {
@@ -65,7 +78,7 @@ void ExperimentContext::tell_files() const {
   if (selection_.json || names.empty()) return;
   const std::size_t more = names.size() > kPrintedFiles ? names.size() - kPrintedFiles : 0;
   names.resize(names.size() - more);
-  fmt::print("{}", indented(fmt::format("in {}: {}{}", out_.string(), fmt::join(names, ", "),
+  fmt::print("{}", indented(fmt::format("in {}: {}{}", out().string(), fmt::join(names, ", "),
                                         more > 0 ? fmt::format(" and {} more", more) : "")));
   std::fflush(stdout);
 }

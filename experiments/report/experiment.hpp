@@ -25,20 +25,20 @@ class RunRecorder;  // experiments/store/run_recorder.hpp
 // What an experiment is given and where its results go.
 class ExperimentContext {
  public:
-  // The recorder says which experiment it is. Without one the files are written, and all else is
-  // kept in memory.
-  ExperimentContext(Selection selection, std::filesystem::path out,
+  // results: the folder of the run. The recorder says which experiment it is. Without one the files
+  // are written, and all else is kept in memory.
+  ExperimentContext(Selection selection, std::filesystem::path results,
                     std::shared_ptr<RunRecorder> recorder = nullptr);
 
   const Selection& selection() const { return selection_; }
-  // The folder for pictures.
-  const std::filesystem::path& out() const { return out_; }
+  // The folder of the experiment's files, in that of the run and called as the experiment is.
+  std::filesystem::path out() const;
 
   // One piece of the experiment's work, done once per run. What `work` adds to the tables and to
   // its record is stored in one transaction when it returns. A resumed run that finds the piece
   // stored puts its rows into the tables and does not call `work`.
   // name: unique within the experiment; the same for the same options.
-  // Pre-condition: `work` has no effect but on those tables, its record and picture files.
+  // Pre-condition: `work` has no effect but on those tables, its record and pictures in out().
   void piece(const std::string& name, std::initializer_list<Table*> tables,
              const std::function<void(PieceRecord&)>& work) const;
 
@@ -64,10 +64,13 @@ class ExperimentContext {
   std::optional<Table> emitted(const std::string& table_name) const;
 
  private:
+  // A file of out(), as the store names it.
+  std::string in_results(const std::string& file) const;
+
   Selection selection_;
-  std::filesystem::path out_;
+  std::filesystem::path results_;
   std::shared_ptr<RunRecorder> recorder_;
-  mutable std::vector<std::string> written_;  // names in out_ that were not told yet
+  mutable std::vector<std::string> written_;  // names in out() that were not told yet
 };
 
 // Each folder of a question defines one in its namespace, as

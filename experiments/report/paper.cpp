@@ -231,12 +231,25 @@ std::string table_text(const PaperRows& run, const Json& entry) {
   return table.text();
 }
 
-// The file of the run that a figure's name stands for: of a plot the PDF.
+// The file of the run that a figure's name stands for, relative to the folder: the picture of that
+// name, or the PDF of the plot. Errors: InputError, where there is no such figure.
+fs::path figure_file(const ResultsStore& store, const fs::path& name) {
+  for (const StoredExperiment& experiment : store.experiments()) {
+    for (const StoredFigure& figure : store.figures(experiment.name)) {
+      const fs::path file = figure.file;
+      if (file.filename() == name) return file;
+      if (figure.kind == FigureKind::plot && file.stem() == name) {
+        return fs::path(file).replace_extension(".pdf");
+      }
+    }
+  }
+  throw InputError(fmt::format("figure {} is not among the results", name.string()));
+}
+
 void copy_figure(const ResultsStore& store, const std::string& name, const fs::path& out) {
-  const std::string file = fs::path(name).has_extension() ? name : name + ".pdf";
-  const fs::path from = store.file().parent_path() / file;
+  const fs::path file = figure_file(store, name), from = store.file().parent_path() / file;
   std::error_code error;
-  fs::copy_file(from, out / fs::path(file).filename(), fs::copy_options::overwrite_existing, error);
+  fs::copy_file(from, out / file.filename(), fs::copy_options::overwrite_existing, error);
   if (error) {
     throw InputError(
         fmt::format("{}: can't be copied to {}: {}", from.string(), out.string(), error.message()));

@@ -32,9 +32,10 @@ struct WorstInput {
   std::string replay;  // the command that shows it
 };
 
-// A picture that was written into the results folder.
+// A picture that was written into the experiment's folder.
 struct Picture {
-  std::string file;  // relative to the results folder: "floor-cvv-naive.png"
+  std::string
+      file;  // relative to that folder: "floor-cvv-naive.png"; in the store to that of the run
   std::string caption;
 };
 

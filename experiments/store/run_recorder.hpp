@@ -26,6 +26,8 @@ class RunRecorder {
   RunRecorder(std::shared_ptr<SQLite::Database> database, std::filesystem::path file);
 
   const ResultsStore& store() const { return store_; }
+  // The name of the one in work.
+  const std::string& experiment() const { return experiment_; }
 
   // All following: OutputError with path and reason if the store can't be written; nothing is
   // changed then.

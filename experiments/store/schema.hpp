@@ -50,7 +50,7 @@ CREATE TABLE worst_input(     -- on which a contestant was farthest off
   input TEXT NOT NULL,        -- hex floats
   replay TEXT NOT NULL);      -- the command that shows it
 CREATE TABLE figure(
-  file TEXT PRIMARY KEY,      -- relative to the folder; of a plot its SVG
+  file TEXT PRIMARY KEY,      -- relative to the folder of the run; of a plot its SVG
   experiment TEXT NOT NULL REFERENCES experiment(name),
   cell_id INTEGER REFERENCES cell(id) ON DELETE CASCADE,
   kind TEXT NOT NULL CHECK(kind IN ('plot', 'picture')),

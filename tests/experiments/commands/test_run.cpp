@@ -10,7 +10,7 @@
 
 namespace fs = std::filesystem;
 
-TEST_CASE("cli: run writes tables in three formats and pictures, and can be told where") {
+TEST_CASE("cli: run writes tables in three formats and pictures, in a folder for each experiment") {
   const Folder folder;
   const fs::path out = folder.path() / "results";
   const Result r = folder.run(
@@ -18,13 +18,24 @@ TEST_CASE("cli: run writes tables in three formats and pictures, and can be told
       out.string());
   INFO(r.err);
   REQUIRE(r.code == 0);
-  for (const char* name : {"accuracy.md", "accuracy.csv", "accuracy.tex", "pictures.csv",
-                           "corridor-cvv-naive.png", "corridor-cvv-naive.exr"}) {
+  for (const char* name : {"accuracy/accuracy.md", "accuracy/accuracy.csv", "accuracy/accuracy.tex",
+                           "pictures/pictures.csv", "pictures/corridor-cvv-naive.png",
+                           "pictures/corridor-cvv-naive.exr"}) {
     INFO(name);
     CHECK(fs::exists(out / name));
   }
-  CHECK(lines(read(out / "accuracy.csv")).size() ==
+  CHECK(lines(read(out / "accuracy" / "accuracy.csv")).size() ==
         clipscope::experiments::clipper_names().size() + 1);
+  std::vector<std::string> names;  // at the top
+  for (const auto& entry : fs::directory_iterator(out)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::ranges::sort(names);
+  CHECK(names == std::vector<std::string>{"README.md", "accuracy", "pictures", "report.html",
+                                          "results.sqlite"});
+  const std::string readme = read(out / "README.md");
+  CHECK(contains(readme, "[accuracy](accuracy/accuracy.md), [accuracy_worst]"));
+  CHECK(contains(readme, "files](pictures/)"));
   CHECK(folder.run("run cost --quick --out /proc/no").code == 4);
 }
 

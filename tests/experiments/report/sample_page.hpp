@@ -101,10 +101,11 @@ inline SampleRun sample_run(const std::vector<std::string>& plots) {
   for (const std::string& svg : plots) {
     const std::string number = std::to_string(sample.figures.size() + 1);
     sample.figures.push_back(
-        {{FigureKind::plot, "plot" + number + ".svg", "A plot", "What it shows"}, svg});
+        {{FigureKind::plot, "sample/plot" + number + ".svg", "A plot", "What it shows"}, svg});
   }
-  sample.figures.push_back({{FigureKind::picture, "a.png", "", "A \"picture\""}, sample_png()});
-  sample.figures.push_back({{FigureKind::picture, "gone.png", "", "Not there"}, ""});
+  sample.figures.push_back(
+      {{FigureKind::picture, "sample/a.png", "", "A \"picture\""}, sample_png()});
+  sample.figures.push_back({{FigureKind::picture, "sample/gone.png", "", "Not there"}, ""});
   const SampleExperiment unfinished{{"unfinished", "", "", "", 0, false}};
   const SampleExperiment claims{
       {"claims", "Which claims hold?", "clipscope run claims", "One of five.", 0, true},
@@ -112,12 +113,13 @@ inline SampleRun sample_run(const std::vector<std::string>& plots) {
   return {sample, unfinished, claims};
 }
 
-// The run's store in memory, its figures in the folder.
-inline ResultsStore store_of(const SampleRun& run, const std::filesystem::path& folder) {
+// The run's store in the file, or in memory without one; its figures in the folder.
+inline ResultsStore store_of(const SampleRun& run, const std::filesystem::path& folder,
+                             const std::filesystem::path& file = {}) {
   RunRecorder recorder(
-      create_database({},
+      create_database(file,
                       {{"machine", "a processor <fast>"}, {"commit", "0123abc"}, {"flags", ""}}),
-      {});
+      file);
   std::int64_t position = 0;
   for (const auto& [experiment, tables, figures] : run) {
     recorder.begin(experiment, position++);

@@ -104,12 +104,12 @@ TEST_CASE("page: verdicts are counted from the table of claims") {
 TEST_CASE("page: what is missing is said, not left out") {
   const std::string page = page_of(sample_run({}));
   CHECK(contains(page, "in the middle of this experiment"));
-  CHECK(contains(page, "gone.png can't be read"));
+  CHECK(contains(page, "sample/gone.png can't be read"));
   SampleRun content = sample_run({});
   content[0].experiment.finding.clear();
   CHECK(contains(page_of(content), "left no finding"));
   CHECK(contains(page_of({}), "left no finding"));
-  CHECK(contains(page_of(sample_run({"no picture"})), "plot1.svg can't be read"));
+  CHECK(contains(page_of(sample_run({"no picture"})), "sample/plot1.svg can't be read"));
 }
 
 TEST_CASE("page: a plot stands in it as it is, a picture in base64 with its size") {

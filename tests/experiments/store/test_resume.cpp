@@ -62,8 +62,8 @@ double seconds(const std::function<void()>& work) {
 void check_same_tables(const fs::path& a, const fs::path& b) {
   for (const char* name : {"accuracy.csv", "accuracy_worst.csv", "accuracy.md", "accuracy.tex"}) {
     INFO(name);
-    REQUIRE(fs::exists(a / name));
-    CHECK(read(a / name) == read(b / name));
+    REQUIRE(fs::exists(a / "accuracy" / name));
+    CHECK(read(a / "accuracy" / name) == read(b / "accuracy" / name));
   }
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("resume: what is stored is not computed again") {
   const Result r = folder.run(kRun + out(results) + " --resume");
   INFO(r.err);
   REQUIRE(r.code == 0);
-  CHECK(contains(read(results / "accuracy.csv"), "12345.5"));
+  CHECK(contains(read(results / "accuracy" / "accuracy.csv"), "12345.5"));
   CHECK(contains(folder.run("table accuracy --format csv --run " + quoted(results.string())).out,
                  "12345.5"));
 }
@@ -173,7 +173,7 @@ TEST_CASE("run: a file that may not grow is an error with path and reason, exit 
   const Folder folder;
   const fs::path results = folder.path() / "results";
   REQUIRE(folder.run(kRun + out(results)).code == 0);
-  const auto before = read(results / "accuracy.csv");
+  const auto before = read(results / "accuracy" / "accuracy.csv");
   // hard_cases needs some megabytes; what accuracy has left fits.
   const auto kilobytes = fs::file_size(results / "results.sqlite") / 1024 + 16;
   const fs::path err = folder.path() / "limited";
@@ -240,7 +240,7 @@ TEST_CASE("table: lists the tables and prints one in each format") {
        {std::pair{"csv", "accuracy.csv"}, std::pair{"markdown", "accuracy.md"},
         std::pair{"latex", "accuracy.tex"}}) {
     CHECK(folder.run(std::string("table accuracy --format ") + format + run).out ==
-          read(results / file));
+          read(results / "accuracy" / file));
   }
   CHECK(contains(folder.run("table nothing" + run).err, "accuracy_worst"));
   CHECK(folder.run("table --run /nowhere").code == 3);

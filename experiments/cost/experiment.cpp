@@ -74,9 +74,11 @@ std::string run_full(const ExperimentContext& context) {
   times.add_note(machine_description());
   operations.add_note(machine_description());
   split.add_note(machine_description());
-  context.emit(times, operations, split, time_plot(times.rows()));
+  TableOf<SpaceRow> spaces;
+  for (const SpaceRow& row : space_rows(times.rows(), operations.rows())) spaces.add(row);
+  context.emit(times, operations, spaces, split, time_plot(times.rows()));
   if (!split.rows().empty()) context.emit(split_plot(split.rows()));
-  return finding(times.rows(), operations.rows());
+  return space_finding(spaces.rows());
 }
 
 GrowthOptions growth_options(const Selection& selection) {

@@ -47,6 +47,27 @@ struct OperationsRow {
   }
 };
 
+// A clipper of a space beside clip space on the same mix: the ratios that the finding speaks of. A
+// figure that was not measured is empty.
+struct SpaceRow {
+  std::string mix, clipper, scalar;
+  std::optional<MedianInterval> ns = {};
+  std::optional<double> time = {}, arithmetic = {}, divisions = {};  // over those of clip space
+
+  static constexpr std::string_view kName = "cost_spaces";
+  static constexpr std::string_view kTitle = "Each space over clip space on the same triangles";
+  static constexpr std::array<std::string_view, 1> kNotes = {
+      "Time, arithmetic (additions, multiplications and divisions) and divisions, each over that of homogeneous/sutherland_hodgman."};
+  static constexpr auto columns() {
+    using R = SpaceRow;
+    return std::tuple(column("mix", &R::mix), contestant_columns(&R::clipper, &R::scalar),
+                      interval("ns_per_triangle", "ns", "ns/tri", &R::ns),
+                      column("time_ratio", "x time", &R::time),
+                      column("arithmetic_ratio", "x arithmetic", &R::arithmetic),
+                      column("divisions_ratio", "x divisions", &R::divisions));
+  }
+};
+
 struct SplitRow {
   std::string mix, clipper, scalar, part;
   MedianInterval ns, share_percent;
@@ -240,9 +261,13 @@ Plot stage_plot(const std::vector<StageRow>& stage, Contract contract);
 // ns per triangle over what grows.
 Plot growth_plot(const std::vector<GrowthRow>& growth, Growing growing);
 
-// View space and CVV over clip space on the first mix: times, operations, divisions.
-std::string finding(const std::vector<Row>& times, const std::vector<OperationsRow>& operations);
-// The fastest of each contract and mix against textbook, and the price of correct rounding.
+// The clippers of the spaces, mix by mix, in float if that is there.
+std::vector<SpaceRow> space_rows(const std::vector<Row>& times,
+                                 const std::vector<OperationsRow>& operations);
+
+// Which space is the fastest, on the first mix and the others, and which needs the most operations.
+std::string space_finding(const std::vector<SpaceRow>& spaces);
+// Where correct rounding costs time in the stage, and where it does not; empty if it was not timed.
 std::string stage_finding(const std::vector<StageRow>& stage);
 
 }  // namespace clipscope::experiments::cost

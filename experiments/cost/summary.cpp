@@ -24,32 +24,6 @@ std::string shown_scalar(const std::vector<R>& rows) {
   return has_float || rows.empty() ? "float" : rows.front().scalar;
 }
 
-// "view/sutherland_hodgman takes 1.5 times the time, 1.2 times the arithmetic"; empty without
-// figures.
-std::string against_clip_space(std::string_view clipper, const std::string& mix,
-                               const std::vector<Row>& times,
-                               const std::vector<OperationsRow>& operations) {
-  using Operations = OperationsRow;
-  std::vector<std::string> parts;
-  const auto add = [&](const auto* row, const auto* clip_space, auto figure, const char* what) {
-    if (!row || !clip_space || std::invoke(figure, *clip_space) == 0) return;
-    const double ratio = std::invoke(figure, *row) / std::invoke(figure, *clip_space);
-    parts.push_back(fmt::format("{:.2f} times the {}", ratio, what));
-  };
-  const auto time = [&](std::string_view c) {
-    return find_row(times, &Row::mix, mix, &Row::clipper, c, &Row::scalar, shown_scalar(times),
-                    &Row::is_timed, true);
-  };
-  const auto counts = [&](std::string_view c) {
-    return find_row(operations, &Operations::mix, mix, &Operations::clipper, c);
-  };
-  add(
-      time(clipper), time(kClipSpace), [](const Row& r) { return r.timing->ns.median; }, "time");
-  add(counts(clipper), counts(kClipSpace), &Operations::arithmetic, "arithmetic");
-  add(counts(clipper), counts(kClipSpace), &Operations::divisions, "divisions");
-  return parts.empty() ? "" : fmt::format("{} takes {}", clipper, fmt::join(parts, ", "));
-}
-
 // The fastest of a contract, of any build; null if none was timed.
 const StageRow* fastest_row(const std::vector<StageRow>& stage, const std::string& mix,
                             std::string_view contract) {
@@ -59,24 +33,6 @@ const StageRow* fastest_row(const std::vector<StageRow>& stage, const std::strin
     if (!fastest || row.timing->ns.median < fastest->timing->ns.median) fastest = &row;
   }
   return fastest;
-}
-
-// "copy 12.3 x (homogeneous/batch, 10 ns; correctly rounded 1.05 times its time)"
-std::string contract_text(const std::vector<StageRow>& stage, const std::string& mix,
-                          std::string_view contract) {
-  using R = StageRow;
-  const R* fastest = fastest_row(stage, mix, contract);
-  if (fastest == nullptr || fastest->clipper == "textbook") return "";
-  std::string text =
-      fmt::format("{} {} x ({}, {} ns", contract, format_number(fastest->timing->speedup->median),
-                  fastest->clipper, format_number(fastest->timing->ns.median));
-  const R* rounded = find_row(stage, &R::mix, mix, &R::contract, contract, &R::clipper,
-                              "barycentric/correctly_rounded_batch", &R::is_shown, true);
-  if (rounded != nullptr) {
-    text +=
-        fmt::format("; correctly rounded {:.2f} times its time", rounded->times_fastest->median);
-  }
-  return text + ")";
 }
 
 }  // namespace
@@ -167,33 +123,6 @@ Plot growth_plot(const std::vector<GrowthRow>& growth, Growing growing) {
     series->add(static_cast<double>(row.n) + offset, *row.ns);
   }
   return plot;
-}
-
-std::string finding(const std::vector<Row>& times, const std::vector<OperationsRow>& operations) {
-  if (times.empty()) return "nothing was timed";
-  const std::string& mix = times.front().mix;
-  std::vector<std::string> parts;
-  for (const char* clipper : {"view/sutherland_hodgman", "cvv/near_first", "cvv/perspective"}) {
-    const std::string part = against_clip_space(clipper, mix, times, operations);
-    if (!part.empty()) parts.push_back(part);
-  }
-  if (parts.empty()) return fmt::format("{} was not compared on {}", kClipSpace, mix);
-  return fmt::format("Against {} on {} in {}: {}.", kClipSpace, mix, shown_scalar(times),
-                     fmt::join(parts, "; "));
-}
-
-std::string stage_finding(const std::vector<StageRow>& stage) {
-  std::vector<std::string> sentences;
-  for (const std::string& mix : distinct(stage, &StageRow::mix)) {
-    std::vector<std::string> parts;
-    for (const Contract contract : kStageContracts) {
-      const std::string text = contract_text(stage, mix, name_of(contract));
-      if (!text.empty()) parts.push_back(text);
-    }
-    if (!parts.empty()) sentences.push_back(fmt::format("{}: {}", mix, fmt::join(parts, ", ")));
-  }
-  if (sentences.empty()) return "";
-  return fmt::format("The stage, times faster than textbook: {}.", fmt::join(sentences, ". "));
 }
 
 }  // namespace clipscope::experiments::cost

@@ -18,7 +18,7 @@ bool takes_part(const FrontierPoint& point) {
 bool dominates(const FrontierPoint& a, const FrontierPoint& b) {
   if (!takes_part(a) || !takes_part(b)) return false;
   const bool not_worse = a.time.median <= b.time.median && a.error <= b.error;
-  return not_worse && (a.error < b.error || a.time.high < b.time.low);
+  return not_worse && (a.error < b.error || is_below(a.time, b.time));
 }
 
 std::vector<FrontierRank> pareto_frontier(std::span<const FrontierPoint> points) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <iterator>
 #include <sstream>
@@ -92,6 +93,22 @@ std::string some_of(std::int64_t count, std::int64_t of, std::string_view things
 
 std::string times_text(double factor) {
   return factor < 1000 ? fmt::format("{:.3g} times", factor) : fmt::format("{:.0f} times", factor);
+}
+
+std::string number_word(std::int64_t n) {
+  constexpr std::array<std::string_view, 13> kWords = {"no",   "one",    "two",   "three", "four",
+                                                       "five", "six",    "seven", "eight", "nine",
+                                                       "ten",  "eleven", "twelve"};
+  const auto place = static_cast<std::size_t>(n);
+  return place < kWords.size() ? std::string(kWords[place]) : fmt::format("{}", n);
+}
+
+std::string_view quantity(double share) {
+  if (share <= 0) return "no";
+  if (share <= 0.2) return "few";
+  if (share < 0.5) return "some";
+  if (share < 0.9) return "most";
+  return share < 1 ? "nearly all" : "all";
 }
 
 std::vector<std::string> figures_in(std::string_view text) {

@@ -27,6 +27,13 @@ std::string some_of(std::int64_t count, std::int64_t of, std::string_view things
 // A factor with three digits at most, without zeros at its end: "1.73 times", "25 times".
 std::string times_text(double factor);
 
+// "no", "one", "two" ... "twelve", then digits.
+std::string number_word(std::int64_t n);
+
+// A share in words, in front of things: "no", "few" (up to a fifth), "some" (less than half),
+// "most", "nearly all" (from nine tenths on), "all". Pre-condition: 0 <= share <= 1.
+std::string_view quantity(double share);
+
 // What a reader takes in at once.
 struct ProseLimits {
   std::size_t figures = 2, sentences = 4;  // of the whole text

@@ -18,6 +18,9 @@ struct MedianInterval {
   double median = 0, low = 0, high = 0;
 };
 
+// Whether all of a lies below all of b: then a is less, not only by chance.
+constexpr bool is_below(const MedianInterval& a, const MedianInterval& b) { return a.high < b.low; }
+
 // Pre-condition: at least one sample.
 MedianInterval median_interval(std::vector<double> samples);
 

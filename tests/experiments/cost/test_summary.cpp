@@ -72,13 +72,6 @@ TEST_CASE("stage tables: who is refused has a row without figures, and one with 
   CHECK(made.refused.rows()[0].reason == "it is wrong");
 }
 
-TEST_CASE("stage tables: the finding names the fastest and the price of correct rounding") {
-  CHECK(
-      stage_finding(Made().stage.rows()) ==
-      "The stage, times faster than textbook: game_like: copy 10.0 x (homogeneous/batch, 10.0 ns; correctly rounded 1.20 times its time).");
-  CHECK(stage_finding({}) == "");
-}
-
 TEST_CASE(
     "stage tables: the plot has a bar per clipper that was timed in SIMD, and memory's limit") {
   const std::vector<StageRow> rows = Made().stage.rows();
@@ -113,22 +106,4 @@ TEST_CASE("growth table: plots have one line per clipper and contract over what 
   REQUIRE(plot.series.size() == 1);
   CHECK(plot.series[0].x == std::vector<double>{4, 8});
   CHECK(growth_plot(rows, Growing::planes).series.empty());
-}
-
-TEST_CASE("cost: the finding compares the spaces by the rows, and does without what is missing") {
-  std::vector<Row> times;
-  std::vector<OperationsRow> operations;
-  const auto add = [&](const char* clipper, double ns, double count) {
-    Timing timing;
-    timing.ns = {ns, ns, ns};
-    times.push_back({"soup", clipper, "float", timing});
-    operations.push_back({"soup", clipper, count, count, count, 0});
-  };
-  add("homogeneous/sutherland_hodgman", 10, 4);
-  CHECK(finding(times, operations) == "homogeneous/sutherland_hodgman was not compared on soup");
-  add("view/sutherland_hodgman", 15, 5);
-  CHECK(
-      finding(times, operations) ==
-      "Against homogeneous/sutherland_hodgman on soup in float: view/sutherland_hodgman takes 1.50 times the time, 1.25 times the arithmetic, 1.25 times the divisions.");
-  CHECK(finding({}, {}) == "nothing was timed");
 }

@@ -29,6 +29,15 @@ TEST_CASE("prose: words of sentences are put together as people say them") {
   CHECK(some_of(64, 64, "pictures") == "all 64 pictures");
   CHECK(times_text(1.7299) == "1.73 times");
   CHECK(times_text(1.5) == "1.5 times");
+  CHECK(number_word(0) == "no");
+  CHECK(number_word(12) == "twelve");
+  CHECK(number_word(13) == "13");
+  CHECK(quantity(0) == "no");
+  CHECK(quantity(0.1) == "few");
+  CHECK(quantity(0.3) == "some");
+  CHECK(quantity(0.5) == "most");
+  CHECK(quantity(0.95) == "nearly all");
+  CHECK(quantity(1) == "all");
   CHECK(times_text(12345) == "12345 times");
 }
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <functional>
 #include <numeric>
@@ -13,14 +12,20 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/claims/evidence.hpp"
 #include "experiments/claims/rows.hpp"
+#include "experiments/claims/words.hpp"
 #include "experiments/table/results.hpp"
 
 namespace clipscope::experiments::claims {
 
+// Where a verdict was reached there is evidence.
 struct Judgement {
   Verdict verdict = Verdict::undecided;
-  std::string because;  // one or two sentences with the figures that decide it
+  // One sentence with at most two figures; of a claim that is true only under a condition, first
+  // the condition.
+  std::string because;
+  std::vector<Evidence> evidence = {};
 };
 
 struct Claim {
@@ -37,9 +42,11 @@ std::vector<Claim> all_claims();
 // Undecided, naming what is missing, where a figure is not among the results.
 Judgement judge(const Claim& claim, const Results& results);
 
-// Each claim with its judge, a source for each of the two.
+// Each claim with its judge, a source for each list.
 std::vector<Claim> claims_about_cost();
-std::vector<Claim> claims_about_geometry();  // and about rounding, w and depth
+std::vector<Claim> claims_about_segments();
+std::vector<Claim> claims_about_geometry();
+std::vector<Claim> claims_about_rounding();  // and about w and depth
 
 // What judges share. First the clipper that stands for each of the three spaces: the same method,
 // with the least it needs to be right.
@@ -47,48 +54,40 @@ inline constexpr std::string_view kViewSpace = "view/sutherland_hodgman";
 inline constexpr std::string_view kClipSpace = "homogeneous/sutherland_hodgman";
 inline constexpr std::string_view kCvv = "cvv/near_first";
 
-// `figures`: the format of the figures that follow.
-template <class... Args>
-Judgement confirmed_if(bool holds, fmt::format_string<Args...> figures, Args&&... args) {
-  return {holds ? Verdict::confirmed : Verdict::refuted,
-          fmt::format(figures, std::forward<Args>(args)...)};
-}
+// What is said with each verdict that a claim may get.
+struct Sentences {
+  std::string confirmed, conditional, refuted;
+};
 
-// Else true only when the condition holds: a sentence that is put before the figures.
-template <class... Args>
-Judgement true_only_when(std::string_view condition, bool under_it, bool always,
-                         fmt::format_string<Args...> figures, Args&&... args) {
-  Judgement judgement = confirmed_if(always, figures, std::forward<Args>(args)...);
-  if (under_it && !always) {
-    judgement = {Verdict::conditional, std::string(condition) + judgement.because};
-  }
-  return judgement;
-}
+// Confirmed if all of the evidence holds; else true under a condition if that is met, or refuted.
+Judgement judged(std::vector<Evidence> evidence, bool under_condition, const Sentences& sentences);
 
-// In which of several cases (mixes, scenes) a claim holds, and the figures of each.
+// In which of several cases (mixes, scenes) a claim holds.
 class Cases {
  public:
-  void add(const std::string& name, bool holds, const std::string& figures = "") {
-    ++all_;
-    if (holds) holds_.push_back(name);
-    figures_.push_back(figures);
-  }
-  std::string figures(std::string_view separator) const {
-    return fmt::format("{}", fmt::join(figures_, separator));
-  }
-  // True only in the cases where it holds, which stand for the {} in `condition`: "The mix is {}.
-  // ".
-  template <class... Args>
-  Judgement judge(std::string_view condition, fmt::format_string<Args...> figures,
-                  Args&&... args) const {
-    return true_only_when(fmt::format(fmt::runtime(condition), fmt::join(holds_, ", ")),
-                          !holds_.empty(), holds_.size() == all_, figures,
-                          std::forward<Args>(args)...);
-  }
+  explicit Cases(Speak speak = spoken_triangles) : speak_(speak) {}
+
+  // Pre-condition: the evidence is decided, and no other has its case.
+  void add(Evidence evidence);
+
+  // In words, see where_text; empty where the claim holds in all cases, or in none.
+  std::string where() const;
+  // Of the figures; and of those of the cases in which the claim holds, or fails: minus infinity
+  // where there are none. Pre-condition: there is a case.
+  double least() const;
+  double most() const;
+  double most_holding() const;
+  double most_failing() const;
+  const std::vector<Evidence>& evidence() const { return evidence_; }
+
+  // Confirmed if it holds in all cases, true only under a condition if in some. `also`: what is
+  // told beside them.
+  Judgement judge(const Sentences& sentences, const std::vector<Evidence>& also = {}) const;
 
  private:
-  std::size_t all_ = 0;
-  std::vector<std::string> holds_, figures_;
+  Speak speak_;
+  std::vector<Evidence> evidence_;
+  std::vector<std::string> holding_, failing_;  // cases by name
 };
 
 inline double sum(const std::vector<double>& figures) {

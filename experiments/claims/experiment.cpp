@@ -15,18 +15,12 @@ namespace clipscope::experiments::claims {
 
 std::vector<Claim> all_claims() {
   std::vector<Claim> all = claims_about_cost();
-  std::ranges::move(claims_about_geometry(), std::back_inserter(all));
-  std::ranges::move(claims_of_the_literature(), std::back_inserter(all));
+  for (const auto list : {claims_about_segments, claims_about_geometry, claims_about_rounding,
+                          claims_of_the_literature}) {
+    std::ranges::move(list(), std::back_inserter(all));
+  }
   std::ranges::sort(all, {}, &Claim::number);
   return all;
-}
-
-Judgement judge(const Claim& claim, const Results& results) {
-  try {
-    return claim.judge(results);
-  } catch (const MissingFigure& missing) {
-    return {Verdict::undecided, fmt::format("{}.", missing.what())};
-  }
 }
 
 namespace {
@@ -68,19 +62,20 @@ void run(const ExperimentContext& context) {
   const Results results([&](const std::string& name) { return context.emitted(name); });
 
   TableOf<Row> table;
-  std::array<int, names_of(Verdict{}).size()> verdicts{};
+  TableOf<Evidence> decisive;
   // This belongs to no piece: a resumed run may know more.
   for (const Claim& claim : all_claims()) {
     const Judgement judgement = judge(claim, results);
-    ++verdicts[static_cast<std::size_t>(judgement.verdict)];
     table.add({claim.number, std::string(claim.statement), judgement.verdict, judgement.because,
                std::string(claim.experiment)});
+    for (Evidence evidence : judgement.evidence) {
+      evidence.claim = claim.number;
+      decisive.add(evidence);
+    }
   }
   context.emit(table);
-  context.finding(fmt::format(
-      "Of {} claims {} are confirmed, {} true only under a condition, {} refuted, {} undecided for want of figures. {}",
-      table.rows().size(), verdicts[0], verdicts[1], verdicts[2], verdicts[3],
-      winners_text(table.rows())));
+  context.emit(decisive);
+  context.finding(finding_text(table.rows()));
 }
 
 }  // namespace

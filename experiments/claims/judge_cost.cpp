@@ -1,112 +1,137 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Claims about the time of triangle clippers, and about the operations behind it.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "experiments/bounds/rows.hpp"
 #include "experiments/claims/claim.hpp"
+#include "experiments/claims/speed.hpp"
+#include "experiments/contestants/spoken.hpp"
 #include "experiments/cost/rows.hpp"
 #include "experiments/frontier/rows.hpp"
 #include "experiments/perspective/rows.hpp"
 #include "experiments/pictures/rows.hpp"
-#include "experiments/segments/rows.hpp"
 
 namespace clipscope::experiments::claims {
 namespace {
-
-// A clipper's time on a mix in float, and how many times faster than the table's baseline it is.
-struct Speed {
-  double ns = 0;
-  MedianInterval speedup;
-
-  // Faster beyond the intervals of both.
-  bool operator>(const Speed& other) const { return speedup.low > other.speedup.high; }
-};
-
-template <class Row = cost::Row>
-Speed speed(const Results& results, const std::string& mix, std::string_view clipper) {
-  const Row& row = results.row<Row>(&Row::mix, mix, &Row::clipper, clipper, &Row::scalar, "float");
-  if (row.timing && row.timing->speedup) return {row.timing->ns.median, *row.timing->speedup};
-  throw MissingFigure(fmt::format("table {} has no time of {} on {}", Row::kName, clipper, mix));
-}
 
 std::vector<std::string> mixes(const Results& results) {
   return distinct(results.rows<cost::Row>(), &cost::Row::mix);
 }
 
-using Clippers = std::array<std::string_view, 4>;
-
-// The spaces side by side: one triangle after the other with the same method, and many at once. The
-// claims say nothing of the distance matrix, a space of its own, which stands beside them.
-constexpr Clippers kAlone = {kViewSpace, kClipSpace, kCvv, "barycentric/distance_matrix"};
-constexpr Clippers kBatches = {"view/batch", "homogeneous/batch", "", "barycentric/batch"};
-
-std::string times(const Results& results, const std::string& mix, const Clippers& clippers) {
-  std::vector<std::string> ns;
-  for (const std::string_view c : clippers) {
-    ns.push_back(c.empty() ? "-" : fmt::format("{:.3g}", speed(results, mix, c).ns));
-  }
-  return fmt::format("{} {}", mix, fmt::join(ns, "/"));
-}
-
-std::string operations_text(const Results& results) {
+// Additions, multiplications, divisions and comparisons of the three spaces, on the first mix.
+std::vector<Evidence> operations(const Results& results) {
   using R = cost::OperationsRow;
   const std::string& mix = results.rows<R>().front().mix;
-  const auto operations = [&](std::string_view clipper) {
-    const R& row = results.row<R>(&R::mix, mix, &R::clipper, clipper);
-    return row.arithmetic() + row.comparisons;
-  };
-  return fmt::format("Operations on {}: {:.0f}/{:.0f}/{:.0f}.", mix, operations(kViewSpace),
-                     operations(kClipSpace), operations(kCvv));
+  std::vector<Evidence> told_of;
+  for (const std::string_view space : {kViewSpace, kClipSpace, kCvv}) {
+    const R& row = results.row<R>(&R::mix, mix, &R::clipper, space);
+    told_of.push_back(told(mix, "operations of " + spoken_clipper(space),
+                           row.arithmetic() + row.comparisons, "per triangle"));
+  }
+  return told_of;
 }
 
-// Judges by the mixes on which it holds of the speeds of view space, clip space and CVV. In
-// batches: and by whether clip space is faster than view space as well where both take many
-// triangles at once.
-template <class Holds>
-auto by_mix(std::string_view elsewhere, bool in_batches, Holds holds) {
-  return [=](const Results& results) {
-    Cases cases;
-    std::vector<std::string> alone, batches;
-    for (const std::string& mix : mixes(results)) {
-      const auto of = [&](std::string_view clipper) { return speed(results, mix, clipper); };
-      cases.add(mix, holds(of(kViewSpace), of(kClipSpace), of(kCvv)));
-      alone.push_back(times(results, mix, kAlone));
-      if (!in_batches) continue;
-      cases.add(mix + " in batches", of("homogeneous/batch") > of("view/batch"));
-      batches.push_back(times(results, mix, kBatches));
-    }
-    std::string more;
-    if (in_batches) {
-      more = fmt::format(" In batches: {}. {}", fmt::join(batches, "; "), operations_text(results));
-    }
-    return cases.judge(fmt::format("The mix is {{}} (elsewhere it is not {}). ", elsewhere),
-                       "View/clip/CVV/barycentric take, in ns: {}.{}", fmt::join(alone, "; "),
-                       more);
-  };
+// How a space's time is to that of the rivals which it must beat.
+enum class Beats : std::uint8_t { in_slowness, in_speed };
+
+// The rival that it beats least clearly decides.
+Evidence beside(const Results& results, const std::string& name, const std::string& mix,
+                std::string_view space, const std::vector<std::string_view>& rivals, Beats how) {
+  std::optional<Evidence> least;
+  for (const std::string_view rival : rivals) {
+    const MedianInterval own = speed_of(results, mix, space), other = speed_of(results, mix, rival);
+    const bool by_speed = how == Beats::in_speed;
+    const Evidence evidence = decided(
+        name, fmt::format("{} over that of {}", by_speed ? "speed" : "time", spoken_clipper(rival)),
+        by_speed ? ratio(own, other) : ratio(other, own), "times", above(1));
+    if (!least || evidence.ends->low < least->ends->low) least = evidence;
+  }
+  return *least;
 }
 
-bool view_is_slowest(const Speed& view, const Speed& clip, const Speed& cvv) {
-  return clip > view && cvv > view;
+// A space against the others, on each mix: one triangle after the other with the same method, and
+// many at once, where the claim speaks of computation as a whole.
+Cases spaces(const Results& results, std::string_view space,
+             const std::vector<std::string_view>& rivals, Beats how, std::string_view batch = "",
+             std::string_view rival_batch = "") {
+  Cases cases;
+  for (const std::string& mix : mixes(results)) {
+    cases.add(beside(results, mix, mix, space, rivals, how));
+    if (batch.empty()) continue;
+    cases.add(beside(results, mix + ", in batches", mix, batch, {rival_batch}, how));
+  }
+  return cases;
 }
-bool clip_is_fastest(const Speed& view, const Speed& clip, const Speed& cvv) {
-  return clip > view && clip > cvv;
-}
-bool cvv_is_slower(const Speed&, const Speed& clip, const Speed& cvv) { return clip > cvv; }
 
-// Judges by the mixes on which `clipper` takes at most so many times as long as `other`.
-auto by_ratio(std::string_view clipper, std::string_view other, double at_most,
-              const char* figures) {
-  return [=](const Results& results) {
-    Cases cases;
-    for (const std::string& mix : mixes(results)) {
-      const double ratio =
-          speed(results, mix, other).speedup.median / speed(results, mix, clipper).speedup.median;
-      cases.add(mix, ratio <= at_most, fmt::format("{} {:.2f}", mix, ratio));
-    }
-    return cases.judge("The mix is {}. ", "{}",
-                       fmt::format(fmt::runtime(figures), cases.figures(", "), at_most));
-  };
+Judgement view_is_slowest(const Results& results) {
+  const Cases cases = spaces(results, kViewSpace, {kClipSpace, kCvv}, Beats::in_slowness,
+                             "view/batch", "homogeneous/batch");
+  return cases.judge(
+      {fmt::format(
+           "View space takes the longest everywhere, at least {} times as long as the next.",
+           number_text(cases.least())),
+       fmt::format("{}; elsewhere view space is not the slowest.", cases.where()),
+       "View space takes the longest nowhere."},
+      operations(results));
+}
+
+Judgement clip_is_fastest(const Results& results) {
+  const Cases cases = spaces(results, kClipSpace, {kViewSpace, kCvv}, Beats::in_speed,
+                             "homogeneous/batch", "view/batch");
+  return cases.judge(
+      {fmt::format("Clip space is the fastest everywhere, at least {} times as fast as the next.",
+                   number_text(cases.least())),
+       fmt::format("{}; elsewhere clip space is not the fastest.", cases.where()),
+       "Clip space is the fastest nowhere."},
+      operations(results));
+}
+
+Judgement cvv_is_slower(const Results& results) {
+  const Cases cases = spaces(results, kClipSpace, {kCvv}, Beats::in_speed);
+  return cases.judge({fmt::format("The CVV takes at least {} times as long on every mix.",
+                                  number_text(cases.least())),
+                      fmt::format("{}; there the CVV takes up to {} times as long.", cases.where(),
+                                  number_text(cases.most_holding())),
+                      "The CVV takes longer on no mix."});
+}
+
+// How many times as long as the other a clipper takes, which a claim puts a limit to.
+Cases times_as_long(const Results& results, std::string_view clipper, std::string_view other,
+                    double limit) {
+  Cases cases;
+  for (const std::string& mix : mixes(results)) {
+    cases.add(decided(mix, "time over that of " + spoken_clipper(other),
+                      ratio(speed_of(results, mix, other), speed_of(results, mix, clipper)),
+                      "times", not_above(limit)));
+  }
+  return cases;
+}
+
+Judgement pipeline(const Results& results) {
+  constexpr double kLittle = 1.10;
+  const Cases cases = times_as_long(results, "homogeneous/pipeline", kClipSpace, kLittle);
+  const std::string least = number_text(cases.least()), most = number_text(cases.most());
+  return cases.judge(
+      {fmt::format(
+           "The pipeline takes at most {} times as long as cutting by the crossed planes alone.",
+           most),
+       fmt::format("{}; elsewhere the pipeline takes up to {} times as long.", cases.where(), most),
+       fmt::format(
+           "The pipeline takes {} to {} times as long as cutting by the crossed planes alone.",
+           least, most)});
+}
+
+Judgement exact_signs(const Results& results) {
+  const Cases cases = times_as_long(results, "view/exact_sign", kViewSpace, 2);
+  return cases.judge(
+      {fmt::format("Exact signs make clipping in view space take at most {} times as long.",
+                   number_text(cases.most())),
+       fmt::format("{}; elsewhere exact signs make clipping take up to {} times as long.",
+                   cases.where(), number_text(cases.most())),
+       fmt::format("Exact signs make clipping in view space take {} times as long and more.",
+                   number_text(cases.least()))});
 }
 
 Judgement perspective_correction(const Results& results) {
@@ -115,46 +140,69 @@ Judgement perspective_correction(const Results& results) {
     return std::ranges::max(
         results.figures<R>(&R::max_error, &R::clipper, clipper, &R::scalar, "exact"));
   };
-  const double affine = error("cvv/naive"), correct = error("cvv/perspective");
-  std::vector<std::string> prices;
+  const double affine = 100 * error("cvv/naive"), correct = 100 * error("cvv/perspective");
+  std::vector<Evidence> evidence = {
+      decided("interpolated as positions are", "largest error of an attribute", affine,
+              "% of its range", above(0)),
+      decided("interpolated as a/w and 1/w", "largest error of an attribute", correct,
+              "% of its range", exactly(0))};
   for (const std::string& mix : mixes(results)) {
-    const double ns = speed(results, mix, "cvv/perspective").ns;
-    prices.push_back(
-        fmt::format("{} {:+.0f} %", mix, 100 * (ns / speed(results, mix, "cvv/naive").ns - 1)));
+    const MedianInterval price =
+        ratio(speed_of(results, mix, "cvv/naive"), speed_of(results, mix, "cvv/perspective"));
+    evidence.push_back(told(mix, "time over that without the correction", price.median, "times"));
   }
-  return confirmed_if(
-      affine > 0 && correct == 0,
-      "In exact arithmetic new vertices cut after the divide have attributes wrong by up to {:.2g} of their range if they are interpolated as positions are, by {:.2g} with a/w and 1/w. The correction changes the time by: {}.",
-      affine, correct, fmt::join(prices, ", "));
+  return judged(
+      std::move(evidence), false,
+      {fmt::format(
+           "Attributes cut after the divide are wrong by up to {} % of their range without the correction, and exact with it.",
+           number_text(affine)),
+       "",
+       affine == 0
+           ? "Attributes cut after the divide need no correction."
+           : fmt::format("Even corrected attributes are wrong by up to {} % of their range.",
+                         number_text(correct))});
 }
 
 Judgement dropping_whole(const Results& results) {
   using R = pictures::Row;
   constexpr std::string_view kWhole = "whole/any_outside";
   const std::string mix = mixes(results).front();
-  const Speed whole = speed(results, mix, kWhole), clip = speed(results, mix, kClipSpace);
-  const bool has_holes = sum(results.figures<R>(&R::holes_px, &R::clipper, kWhole)) > 0;
-  std::vector<std::string> holes;
+  const double holes = sum(results.figures<R>(&R::holes_px, &R::clipper, kWhole));
+  const MedianInterval speed =
+      ratio(speed_of(results, mix, kWhole), speed_of(results, mix, kClipSpace));
+  std::vector<Evidence> evidence = {
+      decided("all scenes", "holes in their pictures", holes, "px", above(0)),
+      decided(mix, "speed over that of cutting", speed, "times", above(1))};
   for (const R& row : rows_where(results.rows<R>(), &R::clipper, kWhole)) {
-    holes.push_back(fmt::format("{} px of {}", row.holes_px, row.scene));
+    evidence.push_back(
+        told(row.scene, "holes in the picture", static_cast<double>(row.holes_px), "px"));
   }
-  return true_only_when("Of the claim only the holes are true. ", has_holes,
-                        has_holes && whole > clip,
-                        "On {} it takes {:.3g} ns, cutting {:.3g} ns; holes: {}.", mix, whole.ns,
-                        clip.ns, fmt::join(holes, ", "));
+  return judged(
+      std::move(evidence), holes > 0,
+      {fmt::format("Dropping {} cutting on {}, and leaves holes of {} px.", pace_text(speed.median),
+                   spoken_set(mix), number_text(holes)),
+       fmt::format(
+           "It speaks of holes alone, which take {} px; dropping is not clearly faster than cutting.",
+           number_text(holes)),
+       "Dropping whole triangles leaves no hole in any scene."});
 }
 
 Judgement divisions_spared(const Results& results) {
   using R = cost::OperationsRow;
   Cases cases;
+  double saved = 0;
   for (const std::string& mix : distinct(results.rows<R>(), &R::mix)) {
     const double before = results.row<R>(&R::mix, mix, &R::clipper, kClipSpace).divisions;
     const double after = results.row<R>(&R::mix, mix, &R::clipper, "cvv/naive").divisions;
-    cases.add(mix, before < after, fmt::format("{} {:.3g} to {:.3g}", mix, before, after));
+    cases.add(decided(mix, "divisions, against those of dividing first", before, "per triangle",
+                      below(after)));
+    saved = std::max(saved, after - before);
   }
-  return cases.judge("Vertices are outside: mix {}. ",
-                     "Divisions per triangle, clip space to divide first: {}.",
-                     cases.figures("; "));
+  return cases.judge(
+      {"Clip space divides less often than dividing first on every mix.",
+       fmt::format("{}; there clip space spares up to {} divisions per triangle.", cases.where(),
+                   number_text(saved)),
+       "Clip space divides as often as dividing first, or more often, on every mix."});
 }
 
 Judgement clipless(const Results& results) {
@@ -162,20 +210,25 @@ Judgement clipless(const Results& results) {
   Cases cases;
   for (const PictureRow& row : results.rows<PictureRow>()) {
     if (!row.speedup) throw MissingFigure("table claims_clipless has no times of " + row.scene);
-    const double speedup = row.speedup->median;
-    cases.add(row.scene, speedup >= kReported, fmt::format("{} {:.2f}", row.scene, speedup));
+    cases.add(decided(row.scene, "speed over that with cutting", *row.speedup, "times",
+                      at_least(kReported)));
   }
-  return cases.judge("The scene is {}. ", "Pictures without cutting, times faster: {}.",
-                     cases.figures(", "));
+  return cases.judge(
+      {fmt::format("Every scene is drawn {} times as fast without cutting, or faster.",
+                   number_text(cases.least())),
+       fmt::format("{}; at its best drawing without cutting {} drawing with it.", cases.where(),
+                   pace_text(cases.most_holding())),
+       fmt::format("At its best drawing without cutting {} drawing with it.",
+                   pace_text(cases.most()))});
 }
 
 // The cheapest that got every vertex and every coordinate of a set right, against the float
-// clippers of clip space that a renderer would take instead: one by one, or in batches.
-void add_rounding(const std::vector<frontier::Row>& rows, Cases& cases) {
+// clippers of clip space that a renderer would take instead: one by one, or in batches. Infinite
+// where nobody got all right.
+Evidence price_of_rounding(const std::vector<frontier::Row>& rows) {
   constexpr double kExpensive = 2.0;  // times as long
-  const std::string name = fmt::format("{} {}", rows[0].set, name_of(rows[0].contract));
   double usual_ns = HUGE_VAL, right_ns = HUGE_VAL;
-  std::string right;
+  std::string right = "nobody, since none rounds right";
   for (const frontier::Row& r : rows) {
     if (!r.timing) continue;
     const double ns = r.timing->ns.median;
@@ -183,15 +236,16 @@ void add_rounding(const std::vector<frontier::Row>& rows, Cases& cases) {
     if (is_usual && r.scalar == "float") usual_ns = std::min(usual_ns, ns);
     if (r.correctly_rounded_percent < 100.0 || r.wrong_percent != 0.0 || ns >= right_ns) continue;
     right_ns = ns;
-    right = r.clipper + " in " + r.scalar;
+    right = spoken_contestant(r.clipper, r.scalar);
   }
   if (std::isinf(usual_ns)) {
     throw MissingFigure(fmt::format("table frontier has no time of {}", kClipSpace));
   }
-  const double ratio = right_ns / usual_ns;
-  cases.add(
-      name, ratio > kExpensive,
-      std::isinf(ratio) ? name + " none" : fmt::format("{} {:.3g} times ({})", name, ratio, right));
+  const Contract contract = rows[0].contract;
+  return decided(fmt::format("{}, {} {}", rows[0].set, contract == Contract::full ? "in" : "by",
+                             name_of(contract)),
+                 fmt::format("time of {} over the usual", right), right_ns / usual_ns, "times",
+                 above(kExpensive));
 }
 
 Judgement correct_rounding(const Results& results) {
@@ -201,113 +255,67 @@ Judgement correct_rounding(const Results& results) {
   for (const std::string& set : distinct(all, &R::set)) {
     const std::vector<R> rows = rows_where(all, &R::set, set);
     for (const Contract contract : distinct(rows, &R::contract)) {
-      add_rounding(rows_where(rows, &R::contract, contract), cases);
+      cases.add(price_of_rounding(rows_where(rows, &R::contract, contract)));
     }
   }
   return cases.judge(
-      "The set and contract are {}. ",
-      "The cheapest that rounded every coordinate right costs, against the fastest float clipping in clip space: {}.",
-      cases.figures("; "));
-}
-
-Judgement line_outcodes(const Results& results) {
-  using R = segments::OperationsRow;
-  const auto figure = [&](std::optional<double> R::*member, const char* mix) {
-    return results.figures<R>(member, &R::mix, mix, &R::clipper, "homogeneous/cohen_sutherland")
-        .front();
-  };
-  const double rejected = figure(&R::rejected_percent, "window_1_64");
-  const double free = rejected * figure(&R::rejected_free_percent, "window_1_64") / 100;
-  const double cuts = figure(&R::divisions_per_shortened, "cross_several");
-  const double ends = figure(&R::moved_ends_per_shortened, "cross_several");
-  const bool rejects_most = free > 50, repeats = cuts > ends;
-  return true_only_when(
-      rejects_most ? "Of its first half. " : "Of its second half. ", rejects_most || repeats,
-      rejects_most && repeats,
-      "Through a window of 1/64 it rejects {:.1f} % of all segments without an intersection; across several planes it computes {:.2f} for {:.2f} ends that move.",
-      free, cuts, ends);
-}
-
-Judgement liang_barsky(const Results& results) {
-  using R = segments::OperationsRow;
-  constexpr std::string_view kClipper = "homogeneous/liang_barsky";
-  const auto speedup = [&](const char* mix) {
-    return speed<segments::TimeRow>(results, mix, kClipper).speedup;
-  };
-  const auto most = [&](std::optional<double> R::*member) {
-    return std::ranges::max(results.figures<R>(member, &R::clipper, kClipper));
-  };
-  const MedianInterval inside = speedup("inside"), outside = speedup("outside");
-  const double accepted = most(&R::divisions_per_accepted);
-  const double rejected = most(&R::divisions_per_rejected);
-  const bool as_cheap = inside.high >= 1 && outside.high >= 1;
-  const bool divides_only = accepted == 0 && rejected == 0;
-  return true_only_when(
-      as_cheap ? "Of acceptance and rejection. " : "Of divisions, not of time. ",
-      as_cheap || divides_only, as_cheap && divides_only,
-      "Its speed is {:.2f} times that of Cohen-Sutherland inside and {:.2f} times outside (float); divisions per accepted segment at most {:.2f}, per rejected {:.2f}.",
-      inside.median, outside.median, accepted, rejected);
-}
-
-Judgement plane_segment(const Results& results) {
-  const auto& forms = results.rows<segments::IntersectionRow>();
-  std::size_t normalised = 0, cheap = 0;
-  bool general = false;
-  for (const auto& [form, cut, uncut, point] : forms) {
-    if (form.starts_with("any plane")) {
-      general = cut.multiplications == 6 && cut.divisions == 1;
-    } else if (form.find("frustum in view space") == std::string::npos) {
-      ++normalised;
-      cheap += cut.multiplications == 0 && cut.divisions == 1;
-    }
-  }
-  if (normalised == 0) throw MissingFigure("table segments_intersection has no normalised form");
-  return confirmed_if(
-      general && cheap == normalised,
-      "Counted: {} multiplications and {} division for any plane; {} of {} normalised forms take no multiplication and 1 division.",
-      forms[0].cut.multiplications, forms[0].cut.divisions, cheap, normalised);
+      {fmt::format(
+           "The cheapest clipper that rounds right takes at least {} times as long as the usual float clipper.",
+           number_text(cases.least())),
+       fmt::format("{}; elsewhere rounding right takes at most {} times as long.", cases.where(),
+                   number_text(cases.most_failing())),
+       fmt::format(
+           "The cheapest clipper that rounds right takes at most {} times as long as the usual float clipper.",
+           number_text(cases.most()))});
 }
 
 Judgement bounding_volumes(const Results& results) {
   using R = bounds::Row;
-  const std::vector<double> settled = results.figures<R>(&R::settled_percent);
-  const auto most = std::ranges::count_if(settled, [](double percent) { return percent > 50; });
+  constexpr double kMost = 50;  // %
   const double lost = sum(results.figures<R>(&R::visible_lost));
-  const bool all = most == std::ssize(settled);
-  return true_only_when(
-      "Objects are small beside the view. ", lost == 0 && most > 0, lost == 0 && all,
-      "They settle {:.0f} to {:.0f} % of the objects, by scene and bound, more than half in {} of {} rows; visible triangles lost: {:.0f}.",
-      std::ranges::min(settled), std::ranges::max(settled), most, settled.size(), lost);
+  Cases places;
+  double least = 100;          // of the places where most can be settled
+  bool all_settleable = true;  // where most are settled, and nowhere else
+  for (const std::string& place : distinct(results.rows<R>(), &R::place)) {
+    const double settled =
+        std::ranges::min(results.figures<R>(&R::settled_percent, &R::place, place));
+    const double settleable =
+        std::ranges::max(results.figures<R>(&R::settleable_percent, &R::place, place));
+    places.add(decided(place, "objects that the worst bound settles", settled, "%", above(kMost)));
+    all_settleable = all_settleable && (settleable > kMost) == (settled > kMost);
+    if (settled > kMost) least = std::min(least, settled);
+  }
+  std::vector<Evidence> evidence = places.evidence();
+  const bool some = std::ranges::any_of(evidence, [](const Evidence& e) { return *e.holds; });
+  evidence.push_back(decided("all scenes", "visible triangles of rejected objects", lost,
+                             "triangles", exactly(0)));
+  return judged(
+      std::move(evidence), lost == 0 && some,
+      {fmt::format("Bounds settle at least {} % of the objects in every scene.",
+                   number_text(least)),
+       fmt::format("{}; there bounds settle at least {} % of them.",
+                   all_settleable ? "Most objects lie wholly inside or wholly outside the view"
+                                  : "The objects suit it",
+                   number_text(least)),
+       lost > 0 ? fmt::format("Bounds lose {} visible triangles.", number_text(lost))
+                : "Bounds settle the most part of the objects in no scene."});
 }
 
 }  // namespace
 
 std::vector<Claim> claims_about_cost() {
   return {
-      {1, "View-space clipping needs the most computation.", "cost",
-       by_mix("the slowest of the three", true, view_is_slowest)},
+      {1, "View-space clipping needs the most computation.", "cost", view_is_slowest},
       {2, "Clip-space clipping needs the least and is the most efficient.", "cost",
-       by_mix("the fastest of the three", true, clip_is_fastest)},
-      {3, "CVV clipping is less efficient than clip-space clipping.", "cost",
-       by_mix("slower", false, cvv_is_slower)},
+       clip_is_fastest},
+      {3, "CVV clipping is less efficient than clip-space clipping.", "cost", cvv_is_slower},
       {4, "CVV clipping must account for perspective correction.", "perspective",
        perspective_correction},
       {7, "Dropping whole triangles is cheap but leaves visible holes at the border.", "pictures",
        dropping_whole},
-      {13,
-       "Cohen-Sutherland rejects most segments without any intersection when the window is small; it repeats work when a segment must be shortened several times.",
-       "segments", line_outcodes},
-      {14, "Liang-Barsky accepts and rejects as cheaply, and divides only when it shortens.",
-       "segments", liang_barsky},
-      {15, "A pipeline of independent plane clippers adds little latency.", "cost",
-       by_ratio(
-           "homogeneous/pipeline", kClipSpace, 1.10,
-           "Against cutting by the crossed planes alone the pipeline takes, times: {} (little: at most {:.2f}).")},
+      {15, "A pipeline of independent plane clippers adds little latency.", "cost", pipeline},
       {17, "Bounding volumes settle most objects without touching their polygons.", "bounds",
        bounding_volumes},
-      {18,
-       "A general plane-segment intersection costs 6 multiplications and 1 division; in a normalised (also oblique) volume 1 division.",
-       "segments", plane_segment},
       {19, "Clipping before the divide spares divisions for vertices outside.", "cost",
        divisions_spared},
       {29,
@@ -315,9 +323,7 @@ std::vector<Claim> claims_about_cost() {
        "claims", clipless},
       {31,
        "Floating-point filters make exact decisions at most about twice as slow, near free in practice (Shewchuk 1997; Bronnimann, Burnikel and Pion 2001).",
-       "cost",
-       by_ratio("view/exact_sign", kViewSpace, 2,
-                "View-space clipping with exact signs takes, times the plain one: {}.")},
+       "cost", exact_signs},
       {32, "Correct rounding is expensive (experience with mathematical libraries).", "frontier",
        correct_rounding}};
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "experiments/claims/ranking.hpp"
+#include "experiments/contestants/spoken.hpp"
 #include "experiments/frontier/rows.hpp"
 #include "experiments/segments/convex_windows.hpp"
 #include "experiments/segments/literature.hpp"
@@ -23,15 +24,20 @@ auto divides_least(std::string_view method, std::vector<std::string_view> others
           .figures<PlaneRow>(&PlaneRow::divisions, &PlaneRow::mix, mix, &PlaneRow::clipper, clipper)
           .front();
     };
-    Cases cases;
+    Cases cases(spoken_lines);
     for (const std::string& mix : distinct(results.rows<PlaneRow>(), &PlaneRow::mix)) {
       double least = HUGE_VAL;
       for (const std::string_view other : others) least = std::min(least, divisions(mix, other));
-      const double own = divisions(mix, method);
-      cases.add(mix, own <= least, fmt::format("{} {:.2f}/{:.2f}", mix, own, least));
+      cases.add(decided(mix, "divisions, against the fewest of the others", divisions(mix, method),
+                        "per segment", at_most(least)));
     }
-    return cases.judge("The mix is {}. ", "Divisions per segment, its own/the fewest of {}: {}.",
-                       fmt::join(others, ", "), cases.figures(", "));
+    const std::string name = spoken_methods(method, others)[0], most = number_text(cases.most());
+    return cases.judge(
+        {fmt::format("{} divides at most {} times per segment, no more than the others on any mix.",
+                     name, most),
+         fmt::format("{}; elsewhere {} divides more often, up to {} times per segment.",
+                     cases.where(), name, number_text(cases.most_failing())),
+         fmt::format("{} divides more often than another on every mix.", name)});
   };
 }
 
@@ -40,48 +46,82 @@ Judgement midpoints_without_division(const Results& results) {
   const auto most = [&](auto member) {
     return std::ranges::max(results.figures<PlaneRow>(member, &PlaneRow::clipper, kMidpoints));
   };
-  const double divisions = most(&PlaneRow::divisions);
-  return confirmed_if(
-      divisions == 0,
-      "Most divisions per segment of any mix: {:.3g}; for these it halves up to {:.0f} times and compares up to {:.0f} times.",
-      divisions, most(&PlaneRow::multiplications), most(&PlaneRow::comparisons));
+  const double divisions = most(&PlaneRow::divisions), halvings = most(&PlaneRow::multiplications);
+  const double comparisons = most(&PlaneRow::comparisons);
+  constexpr const char* kUnit = "per segment, at most of a mix";
+  return judged(
+      {decided("all mixes", "divisions", divisions, kUnit, exactly(0)),
+       told("all mixes", "halvings", halvings, kUnit),
+       told("all mixes", "comparisons", comparisons, kUnit)},
+      false,
+      {fmt::format(
+           "Midpoint subdivision never divides, but halves up to {} times per segment and compares up to {} times.",
+           number_text(halvings), number_text(comparisons)),
+       "",
+       fmt::format("Midpoint subdivision divides up to {} times per segment.",
+                   number_text(divisions))});
 }
 
 // How the cost of a method rises from the smallest polygon to the largest.
 Judgement constant_in_edges(const Results& results) {
-  constexpr double kConstant = 1.5;
-  const std::vector<double> ns = results.figures<ConvexRow>(
-      [](const ConvexRow& row) {
-        return row.timing ? std::optional(row.timing->ns.median) : std::nullopt;
-      },
-      &ConvexRow::method, "convex/dual_subdivision");
-  return confirmed_if(
-      ns.back() <= kConstant * ns.front(),
-      "From the fewest edges to the most the time goes from {:.3g} to {:.3g} ns (constant: at most {} times).",
-      ns.front(), ns.back(), kConstant);
+  constexpr double kConstant = 1.5;  // times the smallest polygon's
+  const std::vector<ConvexRow> rows =
+      rows_where(results.rows<ConvexRow>(), &ConvexRow::method, "convex/dual_subdivision");
+  std::vector<Evidence> evidence;
+  double first = 0, most = 0;
+  for (const ConvexRow& row : rows) {
+    if (!row.timing) continue;
+    const double ns = row.timing->ns.median;
+    if (evidence.empty()) first = ns;
+    evidence.push_back(
+        decided(edges_name(row.edges), "time", ns, "ns", at_most(kConstant * first)));
+    most = std::max(most, ns);
+  }
+  if (evidence.empty()) throw MissingFigure("table segments_convex has no time of the dual plane");
+  return judged(
+      std::move(evidence), false,
+      {fmt::format("The time stays between {} ns and {} ns, whatever the number of edges.",
+                   number_text(std::min(first, most)), number_text(most)),
+       "",
+       fmt::format("The time grows from {} ns to {} ns with the number of edges.",
+                   number_text(first), number_text(most))});
 }
 
 Judgement two_divisions(const Results& results) {
-  const std::vector<double> divisions =
-      results.figures<ConvexRow>(&ConvexRow::divisions, &ConvexRow::method, "convex/skala");
-  const double most = std::ranges::max(divisions);
-  return confirmed_if(most <= 2,
-                      "Divisions per segment, over all numbers of edges: at most {:.3g}.", most);
+  std::vector<Evidence> evidence;
+  double most = 0;
+  for (const ConvexRow& row :
+       rows_where(results.rows<ConvexRow>(), &ConvexRow::method, "convex/skala")) {
+    evidence.push_back(
+        decided(edges_name(row.edges), "divisions", row.divisions, "per segment", at_most(2)));
+    most = std::max(most, row.divisions);
+  }
+  if (evidence.empty()) throw MissingFigure("table segments_convex has no row of convex/skala");
+  return judged(
+      std::move(evidence), false,
+      {fmt::format("No polygon takes more than {} divisions per segment.", number_text(most)), "",
+       fmt::format("A polygon takes up to {} divisions per segment.", number_text(most))});
 }
 
 Judgement pruning_computes_less(const Results& results) {
   using R = segments::OperationsRow;
-  Cases cases;
+  Cases cases(spoken_lines);
   for (const std::string& mix : distinct(results.rows<R>(), &R::mix)) {
     const auto divisions = [&](std::string_view clipper) {
       return results.figures<R>(&R::cut_divisions, &R::mix, mix, &R::clipper, clipper).front();
     };
-    const double own = divisions("homogeneous/pruning"),
-                 other = divisions("homogeneous/cyrus_beck");
-    cases.add(mix, own < other, fmt::format("{} {:.2f}/{:.2f}", mix, own, other));
+    cases.add(decided(mix, "divisions of cuts, against those of Cyrus-Beck",
+                      divisions("homogeneous/pruning"), "per segment",
+                      below(divisions("homogeneous/cyrus_beck"))));
   }
-  return cases.judge("The mix is {}. ", "Cut divisions per segment, pruning/Cyrus-Beck: {}.",
-                     cases.figures(", "));
+  const std::string most = number_text(cases.most());
+  return cases.judge(
+      {fmt::format(
+           "Pruning divides less than Cyrus-Beck on every mix, at most {} times per segment.",
+           most),
+       fmt::format("{}; elsewhere pruning divides as often as Cyrus-Beck, up to {} times.",
+                   cases.where(), number_text(cases.most_failing())),
+       "Pruning divides as often as Cyrus-Beck on every mix, or more often."});
 }
 
 // Of coordinates that a polygon has in float, as many are the nearest floats as with any other end
@@ -89,6 +129,7 @@ Judgement pruning_computes_less(const Results& results) {
 Judgement nearer_end_rounds_best(const Results& results) {
   using R = frontier::Row;
   Cases cases;
+  double gain = 0, loss = 0;  // in points of a percentage
   for (const std::string& set : distinct(results.rows<R>(), &R::set)) {
     const auto right = [&](std::string_view clipper) {
       return results
@@ -96,17 +137,23 @@ Judgement nearer_end_rounds_best(const Results& results) {
                       &R::clipper, clipper, &R::scalar, "float")
           .front();
     };
-    const double inside = right(kClipSpace), outside = right("homogeneous/from_outside");
-    const double weighted = right("homogeneous/weighted_ends");
+    const double best = std::max(
+        {right(kClipSpace), right("homogeneous/from_outside"), right("homogeneous/weighted_ends")});
     const double nearer = right("homogeneous/nearer_end");
-    cases.add(
-        set, nearer >= std::max({inside, outside, weighted}),
-        fmt::format("{} {:.2f}/{:.2f}/{:.2f}/{:.2f}", set, nearer, inside, outside, weighted));
+    cases.add(decided(set, "coordinates rounded right, against the best of the other ends", nearer,
+                      "%", at_least(best)));
+    gain = std::max(gain, nearer - best);
+    loss = std::max(loss, best - nearer);
   }
   return cases.judge(
-      "The set is {}. ",
-      "Coordinates rounded right, in percent, from the nearer end/the inside end/the outside end/weighted ends: {}.",
-      cases.figures(", "));
+      {fmt::format(
+           "From the nearer end as many coordinates are rounded right as from any other, or up to {} % more.",
+           number_text(gain)),
+       fmt::format("{}; elsewhere another end rounds up to {} % more of the coordinates right.",
+                   cases.where(), number_text(loss)),
+       fmt::format(
+           "Another end rounds up to {} % more of the coordinates right, on every set some more.",
+           number_text(loss))});
 }
 
 std::string_view experiment_of(Field field) {

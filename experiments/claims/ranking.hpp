@@ -36,7 +36,7 @@ Judgement judge(const Ranking& ranking, const Results& results);
 // The claims of the literature on clippers: the rankings, and what is said of divisions and steps.
 std::vector<Claim> claims_of_the_literature();
 
-// How many of the rankings' winners win, from the claims' verdicts: "Of 12 ...".
-std::string winners_text(const std::vector<Row>& claims);
+// What the verdicts say together.
+std::string finding_text(const std::vector<Row>& claims);
 
 }  // namespace clipscope::experiments::claims

@@ -40,8 +40,8 @@ struct Row {
   static constexpr std::string_view kTitle = "Claims about clipping and the verdict of this run";
   static constexpr auto columns() {
     return std::tuple(
-        column("number", "no", &Row::number), column("claim", "claim", &Row::statement, 32),
-        column("verdict", &Row::verdict), column("because", "because", &Row::because, 34),
+        column("number", "no", &Row::number), column("claim", "claim", &Row::statement, 30),
+        column("verdict", &Row::verdict), column("because", "because", &Row::because, 35),
         column("experiment", "figures in", &Row::experiment));
   }
 };

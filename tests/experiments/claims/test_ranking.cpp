@@ -2,9 +2,11 @@
 //
 // Published rankings are judged by the times alone.
 #include "experiments/claims/ranking.hpp"
+#include "experiments/contestants/spoken.hpp"
 #include "experiments/cost/rows.hpp"
 #include "experiments/segments/convex_windows.hpp"
 #include "experiments/segments/literature.hpp"
+#include "experiments/table/prose.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/claims/fabricated.hpp"
 
@@ -80,7 +82,9 @@ TEST_CASE(
     const Judgement mixed = judged(ranking, enough, little);
     CHECK(mixed.verdict == Verdict::conditional);
     const std::string where = ranking.field == Field::convex_windows ? "4 edges" : "box_2";
-    CHECK(mixed.because.find("The mix is " + where + ".") != std::string::npos);
+    CHECK(mixed.evidence.at(0).of == where);
+    CHECK(mixed.evidence.at(0).holds == true);
+    CHECK(mixed.evidence.at(1).holds == false);
     CHECK(judged(ranking, little, little).verdict == Verdict::refuted);
   }
 }
@@ -92,11 +96,49 @@ TEST_CASE("rankings: a lead within the intervals is none") {
   }
 }
 
-TEST_CASE("rankings: in the plane the papers' boxes and mixes of one kind are told apart") {
+TEST_CASE("rankings: the sentence says where the method wins, and by how much") {
   const Ranking ranking = published_rankings().front();
   REQUIRE(ranking.field == Field::plane);
-  CHECK(judged(ranking, 3, 0.5).because.find("on 1 of 1 boxes") != std::string::npos);
-  CHECK(judged(ranking, 3, 0.5).because.find("on 0 of 1 mixes of one kind") != std::string::npos);
+  CHECK(
+      judged(ranking, 3, 3).because ==
+      "Liang-Barsky wins everywhere: it is 3 times as fast as Cohen-Sutherland where it gains least.");
+  CHECK(
+      judged(ranking, 3, 0.5).because ==
+      "The input consists of lines in a box of 2 windows; there Liang-Barsky is up to 3 times as fast as Cohen-Sutherland.");
+  CHECK(
+      judged(ranking, 1.25, 0.5).because ==
+      "Liang-Barsky wins by less than published: at its best it is 25 % faster than Cohen-Sutherland.");
+  CHECK(judged(ranking, 0.8, 0.5).because ==
+        "Liang-Barsky wins nowhere: at its best it takes 25 % longer than Cohen-Sutherland.");
+}
+
+TEST_CASE("rankings: a verdict is one sentence of two figures at most") {
+  for (const Ranking& ranking : published_rankings()) {
+    for (const double lead : {0.3, 0.8, 1.001, 1.2, 7.0}) {
+      for (const double other : {0.3, 0.8, 1.001, 1.2, 7.0}) {
+        const std::string because = judged(ranking, lead, other).because;
+        INFO("claim " << ranking.number << ": " << because);
+        CHECK(faults_of_prose(because, {.figures = 2, .sentences = 1}).empty());
+      }
+    }
+  }
+}
+
+TEST_CASE("rankings: the rival that is beaten least clearly decides") {
+  for (const Ranking& ranking : published_rankings()) {
+    if (ranking.field != Field::plane || ranking.others.size() < 2) continue;
+    const auto timed = [](std::string_view clipper, double speedup) {
+      return timed_row<segments::PlaneRow>(0, clipper, speedup);
+    };
+    std::vector<segments::PlaneRow> rows = {timed(ranking.method, 4)};
+    for (const std::string_view other : ranking.others) rows.push_back(timed(other, 1));
+    rows.back().timing = timing(2);
+    Fabricated run;
+    run.set(rows);
+    const Evidence evidence = judge(ranking, run.results()).evidence.at(0);
+    CHECK(evidence.figure == Approx(2));
+    CHECK(evidence.what == "speed over that of " + spoken_clipper(ranking.others.back()));
+  }
 }
 
 TEST_CASE(
@@ -116,17 +158,39 @@ TEST_CASE("rankings: a time that is not there is named") {
                     Catch::Contains("no table has a time of window/cohen_sutherland on box_2"));
 }
 
-TEST_CASE("rankings: winners are counted by what became of their claims") {
+// Published rankings and other claims, so many of each verdict.
+std::vector<Row> verdicts(const std::array<int, 3>& of_rankings, const std::array<int, 3>& others) {
   std::vector<Row> claims;
-  for (const Ranking& ranking : published_rankings()) {
-    claims.push_back({ranking.number, "", Verdict::refuted, "", ""});
+  const std::vector<Ranking> rankings = published_rankings();
+  int next = 0;
+  for (std::size_t v = 0; v < 3; ++v) {
+    const auto verdict = static_cast<Verdict>(v);
+    for (int i = 0; i < of_rankings[v]; ++i) {
+      claims.push_back({rankings.at(static_cast<std::size_t>(next++)).number, "", verdict, "", ""});
+    }
+    for (int i = 0; i < others[v]; ++i) claims.push_back({0, "", verdict, "", ""});
   }
-  claims[0].verdict = Verdict::confirmed;
-  claims[1].verdict = Verdict::conditional;
-  const std::string text = winners_text(claims);
-  CHECK(text.find(fmt::format("Of {} published rankings", claims.size())) != std::string::npos);
-  CHECK(text.find("everywhere in 1, on some mixes in 1, nowhere in") != std::string::npos);
-  CHECK(winners_text({}).empty());
+  return claims;
+}
+
+TEST_CASE("claims: the finding says how much holds, and of which kind") {
+  CHECK(
+      finding_text(verdicts({1, 2, 3}, {3, 2, 1})) ==
+      "Less than half of what is said about clipping holds as it stands: 4 of 12 claims are confirmed. Some of the others hold under a condition that the figures show. It depends on the kind of claim: published rankings of speed are refuted more often than the rest, and their winners most often win nowhere.");
+  CHECK(
+      finding_text(verdicts({4, 2, 1}, {3, 0, 2})) ==
+      "Most of what is said about clipping holds as it stands: 7 of 12 claims are confirmed. Some of the others hold under a condition that the figures show. It depends on the kind of claim: published rankings of speed are refuted less often than the rest, and their winners most often win everywhere.");
+  CHECK(finding_text({}) == "No claim could be judged, for want of figures.");
+}
+
+TEST_CASE("claims: the finding can be read at once, whatever the verdicts") {
+  for (const std::array<int, 3>& a : {std::array{3, 2, 1}, {1, 3, 2}, {0, 0, 3}, {0, 0, 0}}) {
+    for (const std::array<int, 3>& b : {std::array{3, 2, 1}, {0, 3, 2}, {0, 0, 3}, {0, 0, 0}}) {
+      const std::string text = finding_text(verdicts(a, b));
+      INFO(text);
+      CHECK(faults_of_prose(text).empty());
+    }
+  }
 }
 
 }  // namespace clipscope::experiments::claims

@@ -108,7 +108,7 @@ void run(const ExperimentContext& context) {
   context.emit(frontier, steps, rounding);
   if (!refused.rows().empty()) context.emit(refused);
   emit_plots(context, frontier.rows());
-  context.finding(finding(frontier.rows(), steps.rows()));
+  context.finding(finding(frontier.rows()));
 }
 
 }  // namespace

@@ -147,10 +147,9 @@ void add_rows(const std::string& set, std::span<const Entry> entries, TableOf<Re
 void add_rows(const std::string& set, std::span<const SampledView> views,
               TableOf<RoundingRow>& table);
 
-// Set by set: how many are on the frontier by max_px in the full contract, where it begins and what
-// its first steps cost; and in the stage what correct rounding costs. Pre-condition: rows of the
-// same sets.
-std::string finding(const std::vector<Row>& rows, const std::vector<StepRow>& steps);
+// What correct rounding costs, in the stage if that was timed, on the first set and on the dearest;
+// and by which scalars the frontier by max_px leads in the full contract of the first set.
+std::string finding(const std::vector<Row>& rows);
 
 // Error over time, one plot per set, contract and measure: the frontier as a line, who is dominated
 // in grey.

@@ -2,7 +2,6 @@
 #include "experiments/frontier/rows.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -91,34 +90,6 @@ std::string file_name(const PlottedFrontier& of) {
   return name;
 }
 
-// "; from A (30 ns, 0.1 px) +20 % time buys B (36 ns, 1e-9 px); the most accurate is ...": where
-// the frontier by max px begins, its first step and its end.
-std::string chain_text(const std::vector<StepRow>& steps) {
-  if (steps.empty()) return "";
-  const auto place = [](const std::string& name, double ns, double px) {
-    return fmt::format("{} ({} ns, {} px)", name, format_number(ns), format_number(px));
-  };
-  const auto end = [&](const StepRow& s) { return place(s.to, s.ns_to, s.max_px_to); };
-  const StepRow& first = steps.front();
-  std::string text = fmt::format("; from {} {:+.0f} % time buys {}",
-                                 place(first.from, first.ns_from, first.max_px_from),
-                                 first.time_percent, end(first));
-  if (steps.size() > 1) text += fmt::format("; the most accurate is {}", end(steps.back()));
-  return text;
-}
-
-// "; in the stage by copy +4 % time buys 18 % more correctly rounded coordinates (A to B)": each
-// step along the rounding frontier of a contract of the stage.
-std::string stage_text(const std::vector<StepRow>& steps, Contract contract) {
-  std::vector<std::string> texts;
-  for (const StepRow& s : steps) {
-    texts.push_back(
-        fmt::format("{:+.0f} % time buys {} ({} to {})", s.time_percent, s.buys, s.from, s.to));
-  }
-  if (texts.empty()) return "";
-  return fmt::format("; in the stage by {} {}", name_of(contract), fmt::join(texts, ", "));
-}
-
 }  // namespace
 
 Plot frontier_plot(const std::vector<Row>& rows, const PlottedFrontier& of) {
@@ -153,32 +124,6 @@ Plot frontier_plot(const std::vector<Row>& rows, const PlottedFrontier& of) {
   if (!exact.x.empty()) plot.series.insert(plot.series.begin(), exact);
   if (!ties.x.empty()) plot.series.push_back(ties);
   return plot;
-}
-
-std::string finding(const std::vector<Row>& rows, const std::vector<StepRow>& steps) {
-  std::vector<std::string> sentences;
-  for (const std::string& set : distinct(rows, &Row::set)) {
-    const auto steps_in = [&](Contract contract, Measure measure) {
-      return rows_where(steps, &StepRow::set, set, &StepRow::contract, contract, &StepRow::measure,
-                        measure);
-    };
-    int timed = 0, members = 0;
-    for (const Row& row : rows_where(rows, &Row::set, set, &Row::contract, Contract::full)) {
-      timed += row.by_px.standing != Standing::unranked;
-      members += row.by_px.standing == Standing::frontier;
-    }
-    if (timed == 0) {
-      sentences.push_back(set + ": nobody could be judged and timed");
-      continue;
-    }
-    std::string sentence = fmt::format("{}: {} of {} are not dominated", set, members, timed);
-    sentence += chain_text(steps_in(Contract::full, Measure::max_px));
-    for (const Contract contract : {Contract::copy, Contract::number}) {
-      sentence += stage_text(steps_in(contract, Measure::misrounded), contract);
-    }
-    sentences.push_back(std::move(sentence));
-  }
-  return fmt::format("{}.", fmt::join(sentences, ". "));
 }
 
 }  // namespace clipscope::experiments::frontier

@@ -92,23 +92,6 @@ void add_rows(const CaseSet& set, const Verdicts& verdicts, TableOf<SummaryRow>&
   }
 }
 
-std::string finding(const std::vector<SummaryRow>& summary) {
-  std::vector<std::string> parts;
-  for (const auto& [space, clipper] :
-       {std::pair{"view space", "view/sutherland_hodgman"},
-        std::pair{"clip space", "homogeneous/sutherland_hodgman"},
-        std::pair{"the CVV (near plane first)", "cvv/near_first"},
-        std::pair{"the CVV (divide first)", "cvv/naive"},
-        std::pair{"the distance matrix", "barycentric/distance_matrix"}}) {
-    const SummaryRow* row =
-        find_row(summary, &SummaryRow::primitive, Primitive::triangle, &SummaryRow::clipper,
-                 clipper, &SummaryRow::scalar, kFormat<float>.name);
-    if (row != nullptr) parts.push_back(fmt::format("{} {}", space, row->failures));
-  }
-  return fmt::format("Triangles of the catalogue that float clipping gets wrong: {}.",
-                     fmt::join(parts, ", "));
-}
-
 std::vector<std::string> caught_by(reference::Bug bug, std::span<const HardCase> cases) {
   std::vector<std::string> names;
   for (const HardCase& c : cases) {

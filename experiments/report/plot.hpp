@@ -52,6 +52,7 @@ struct Axis {
   std::string label;  // with its unit
   bool logarithmic = false;
   std::optional<double> from = {}, to = {};  // default: what the points ask for
+  std::string lowest = {};  // the name of the lowest labelled tic, in place of its number
 };
 
 struct Plot {

@@ -209,6 +209,9 @@ Scale make_scale(const Axis& axis, std::span<const double> values, const ScaleOp
   if (limited.low < limited.high) scale = limited;
   scale.tics = scale.logarithmic ? logarithmic_tics(scale.low, scale.high, options.most_tics)
                                  : linear_tics(scale.low, scale.high, options.most_tics);
+  const auto first =
+      std::ranges::find_if(scale.tics, [](const Tic& t) { return !t.label.empty(); });
+  if (!axis.lowest.empty() && first != scale.tics.end()) first->label = axis.lowest;
   return scale;
 }
 

@@ -3,7 +3,7 @@
 #
 # Holds every #include to the layering of experiments/CMakeLists.txt: spaces/ knows itself, reference/
 # also spaces/, a room of experiments/ also both and the rooms before it. A question knows no other; the
-# last two, history and claims, read those before them.
+# last three, history, claims and answers, read those before them.
 # Usage: check_layers.sh SOURCE_DIR "ROOM ..." "QUESTION ..." "ROOM ...", the last above the questions.
 set -eu
 cd "$1"
@@ -21,7 +21,7 @@ grep -rHoE '^#include "(spaces|reference|experiments)/[a-z_]+' spaces reference 
       count = split("spaces reference " below " " questions " " above " experiments", rooms, " ")
       for (i = 1; i <= count; ++i) level[rooms[i]] = i
       n = split(questions, list, " ")
-      for (i = 1; i < n - 1; ++i) is_question[list[i]] = 1
+      for (i = 1; i < n - 2; ++i) is_question[list[i]] = 1
     }
     {
       from = room_of($1); to = room_of($3); ++seen[from]

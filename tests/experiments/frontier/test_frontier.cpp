@@ -99,7 +99,7 @@ TEST_CASE("frontier: where nothing is visible nobody is ranked, drawn or praised
     const Plot plot = frontier_plot(rows, {"set", measure});
     for (const Series& series : plot.series) CHECK(series.x.empty());
   }
-  CHECK(finding(rows, {}) == "set: nobody could be judged and timed.");
+  CHECK(finding(rows) == "No contestant could be judged and timed.");
 }
 
 TEST_CASE("frontier: altered errors change the ranks") {
@@ -153,24 +153,4 @@ TEST_CASE("frontier: contracts of the stage have frontiers of their own, errors 
   };
   CHECK(error_of(0, "homogeneous/batch") == error_of(1, "homogeneous/batch"));
   CHECK(error_of(0, "homogeneous/batch") > 0);
-}
-
-TEST_CASE("frontier: the finding reads the steps of the stage's rounding frontier") {
-  const Contestant a = named("a", Contract::copy), b = named("b", Contract::copy);
-  std::vector<Entry> full = {entry(kA, 10, 0.5)};
-  std::vector<Entry> stage = {entry(a, 10, 0.5), entry(b, 11, 0.25)};
-  stage[1].accuracy.correctly_rounded = 1;  // of 4
-  TableOf<Row> rows;
-  TableOf<StepRow> steps;
-  for (std::vector<Entry>* entries : {&full, &stage}) {
-    rank(*entries);
-    add_rows("set", *entries, rows);
-    add_rows("set", *entries, steps);
-  }
-  const std::string text = finding(rows.rows(), steps.rows());
-  INFO(text);
-  CHECK(
-      text.find(
-          "1 of 1 are not dominated; in the stage by copy +10 % time buys 25.0 % more correctly rounded coordinates (a float to b float)") !=
-      std::string::npos);
 }

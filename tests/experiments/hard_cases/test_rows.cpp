@@ -150,15 +150,5 @@ TEST_CASE("rows: only triangles have backward errors") {
   CHECK(table.rows()[1].tally.largest_ulps == 2.5);
 }
 
-TEST_CASE("rows: the finding tells the failures of the usual clippers on triangles in float") {
-  const auto row = [](Primitive primitive, const char* clipper, const char* scalar) {
-    return SummaryRow{primitive, clipper, scalar, 9, 4, 0, ""};
-  };
-  CHECK(finding({row(Primitive::segment, "cvv/naive", "float"),
-                 row(Primitive::triangle, "cvv/naive", "double"),
-                 row(Primitive::triangle, "cvv/naive", "float")}) ==
-        "Triangles of the catalogue that float clipping gets wrong: the CVV (divide first) 4.");
-}
-
 }  // namespace
 }  // namespace clipscope::experiments::hard_cases

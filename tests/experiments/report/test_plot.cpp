@@ -281,6 +281,12 @@ TEST_CASE("axis: a logarithmic one has powers of ten, or 1, 2 and 5 times them w
         std::vector<std::string>{"10", "20", "50"});
 }
 
+TEST_CASE("axis: the lowest labelled tic can have a name") {
+  const Axis axis{.label = "", .logarithmic = true, .lowest = "none"};
+  CHECK(labels(make_scale(axis, std::vector<double>{1, 1000}, {})) ==
+        std::vector<std::string>{"none", "10", "100", "1000"});
+}
+
 TEST_CASE("axis: limits that are asked for hold unless they are impossible") {
   const std::vector<double> values = {1, 100};
   const Scale limited =

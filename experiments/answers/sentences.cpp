@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The answers as sentences. Each is decided from the run's figures; where they turn, it turns.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/answers/rows.hpp"
+#include "experiments/contestants/spoken.hpp"
+#include "experiments/cost/rows.hpp"
+#include "experiments/selection/select.hpp"
+#include "experiments/table/prose.hpp"
+
+namespace clipscope::experiments::answers {
+namespace {
+
+const std::string kFloat = "float";
+
+// The usual method in each of the three spaces: the planes one after the other, near plane first.
+struct Space {
+  std::string clipper, place;
+};
+const std::array kSpaces = {Space{"homogeneous/sutherland_hodgman", "homogeneous clip space"},
+                            Space{"view/sutherland_hodgman", "view space"},
+                            Space{"cvv/near_first", "the view volume after the divide"}};
+
+struct Measured {
+  const Space* space;
+  MedianInterval figure;
+};
+
+std::string where_fastest(const Results& results) {
+  using R = cost::Row;
+  std::vector<Measured> times;
+  for (const Space& space : kSpaces) {
+    const R& row =
+        results.row<R>(&R::mix, kGameLike, &R::clipper, space.clipper, &R::scalar, kFloat);
+    if (!row.timing) throw MissingFigure(space.clipper + " was not timed on " + kGameLike);
+    times.push_back({&space, row.timing->ns});
+  }
+  std::ranges::stable_sort(times, {}, [](const Measured& m) { return m.figure.median; });
+  const auto slower = [&](std::size_t i) {
+    return times_text(times[i].figure.median / times[0].figure.median);
+  };
+  if (times[1].figure.low <= times[0].figure.high) {
+    return fmt::format(
+        "In {} or in {}, which take the same time on the game-like mix; in {} the same method takes {} as long.",
+        times[0].space->place, times[1].space->place, times[2].space->place, slower(2));
+  }
+  return fmt::format(
+      "In {}: on the game-like mix the same method takes {} as long in {}, and {} as long in {}.",
+      times[0].space->place, slower(1), times[1].space->place, slower(2), times[2].space->place);
+}
+
+std::string most_accurate(const Evidence& evidence) {
+  struct Error {
+    const Space* space;
+    double px;
+  };
+  std::vector<Error> errors;
+  for (const Space& space : kSpaces) {
+    errors.push_back(
+        {&space, evidence.offer({space.clipper, kFloat}, Contract::full).quality.game_px});
+  }
+  std::ranges::stable_sort(errors, {}, &Error::px);
+  const Error &least = errors.front(), &most = errors.back();
+  if (most.px <= 2 * least.px) {
+    return fmt::format("The three spaces err alike in float, by up to {} px on the game-like mix.",
+                       format_number(most.px));
+  }
+  return fmt::format(
+      "In float the most accurate is {}: its largest error on the game-like mix is {} px, and {} px in {}.",
+      least.space->place, format_number(least.px), format_number(most.px), most.space->place);
+}
+
+std::string price(const Evidence& evidence) {
+  const PriceList list = price_list(evidence.offers(Contract::copy));
+  if (list.steps.empty()) throw MissingFigure("no clipper was timed as a renderer's stage");
+  const PriceRow &first = list.steps.front(), &last = list.steps.back();
+  if (list.steps.size() == 1) {
+    return fmt::format("Nothing: {} is the fastest, and nobody is more accurate.", first.step);
+  }
+  const bool is_certain = last.quality.hard_wrong == 0 && last.quality.hard_misrounded == 0;
+  return fmt::format(
+      "On the game-like mix a renderer's stage takes {:.0f} % more time with {}, which {}; with {}, the fastest, {:.0f} of a million hard triangles come out wrong.",
+      last.over_fastest_percent, last.step,
+      is_certain ? "makes no mistake" : "is the most accurate", first.step,
+      first.quality.hard_wrong);
+}
+
+std::string behind_the_eye(const Evidence& evidence) {
+  const std::string theme = "w_sign";
+  const Tally divided = evidence.tally({"cvv/perspective", kFloat}, theme),
+              clipped = evidence.tally({"homogeneous/sutherland_hodgman", kFloat}, theme);
+  if (divided.cases == 0 || clipped.cases == 0) {
+    throw MissingFigure("nobody was asked about " + theme);
+  }
+  if (divided.failures <= clipped.failures) {
+    return fmt::format(
+        "Dividing first does no harm where w <= 0: it fails on {:.0f} % of the hard cases, clip space on {:.0f} %.",
+        divided.failed_percent(), clipped.failed_percent());
+  }
+  return fmt::format(
+      "Clip before the divide: where w <= 0 dividing first fails on {:.0f} % of the hard cases, clip space on {:.0f} %.",
+      divided.failed_percent(), clipped.failed_percent());
+}
+
+std::string who_stays_right(const Evidence& evidence) {
+  std::vector<std::pair<Tally, std::string>> asked;
+  std::int64_t most = 0;
+  for (const std::string_view clipper : clipper_names()) {
+    const Tally tally = evidence.tally({std::string(clipper), kFloat});
+    most = std::max(most, tally.cases);
+    asked.emplace_back(tally, clipper);
+  }
+  // Who starts in view space is asked about few cases, and proves little by getting them right.
+  std::erase_if(asked, [&](const auto& a) { return a.first.cases * 2 < most || most == 0; });
+  if (asked.empty()) throw MissingFigure("no triangle clipper was judged in float");
+  std::vector<std::string> right;
+  std::int64_t fewest = most;
+  for (const auto& [tally, clipper] : asked) {
+    if (tally.failures == 0) right.push_back(spoken_clipper(clipper));
+    if (tally.failures > 0) fewest = std::min(fewest, tally.failures);
+  }
+  if (right.size() == asked.size()) {
+    return "All triangle clippers get every hard case right in float.";
+  }
+  const std::string who =
+      right.empty() ? "none" : (right.size() == 1 ? "only " : "") + listed(right);
+  return fmt::format(
+      "In float {} of {} triangle clippers {} every hard case right; {} fails on {}.", who,
+      asked.size(), right.size() > 1 ? "get" : "gets", right.empty() ? "the best" : "the next best",
+      fewest);
+}
+
+std::string what_scenes_need(const Results& results) {
+  std::vector<double> saved;
+  std::int64_t changed = 0;
+  for (const EffectRow& row : effect_rows(results)) {
+    if (row.saved_percent) saved.push_back(*row.saved_percent);
+    changed += row.changed;
+  }
+  if (saved.empty()) throw MissingFigure("no planned pipeline was timed");
+  const double median = median_interval(saved).median, most = std::ranges::max(saved);
+  return fmt::format(
+      "A pipeline of just the effects that a scene calls for takes {:.0f} % less time at the median scene, up to {:.0f} % less, and {}.",
+      median, most, changed == 0 ? "changes nothing" : "changes polygons");
+}
+
+struct Question {
+  const char *id, *question, *experiment, *table;
+  std::string (*answer)(const Evidence&);
+};
+
+constexpr Question kQuestions[] = {
+    {"space", "Where should a triangle be clipped?", "cost", "cost",
+     [](const Evidence& e) { return where_fastest(e.results()); }},
+    {"accuracy", "Which space is the most accurate?", "frontier", "frontier", most_accurate},
+    {"price", "What does accuracy cost in time?", "frontier", "answers_prices", price},
+    {"w", "What about points behind the eye?", "w_sign", "hard_cases_verdicts", behind_the_eye},
+    {"stability", "Who stays right on hard cases?", "hard_cases", "answers_stability",
+     who_stays_right},
+    {"effects", "What of it does a scene need?", "effects", "answers_effects",
+     [](const Evidence& e) { return what_scenes_need(e.results()); }}};
+
+}  // namespace
+
+std::vector<Row> answers(const Results& results) {
+  std::vector<Row> rows;
+  for (const Question& q : kQuestions) {
+    std::string answer;
+    try {
+      answer = q.answer(Evidence(results));
+    } catch (const MissingFigure& missing) {
+      answer = fmt::format("This run does not say: {}.", missing.what());
+    }
+    rows.push_back({q.id, q.question, answer, q.experiment, q.table});
+  }
+  return rows;
+}
+
+}  // namespace clipscope::experiments::answers

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is said of accuracy and time: the price of correct rounding, and where the frontier leads.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "experiments/contestants/spoken.hpp"
+#include "experiments/frontier/rows.hpp"
+#include "experiments/table/prose.hpp"
+
+namespace clipscope::experiments::frontier {
+namespace {
+
+constexpr double kNearlyFree = 10, kHalf = 50, kTwice = 100;  // percent of time
+
+// The rows of a set and contract that were timed and judged, the fastest first.
+std::vector<Row> timed_rows(const std::vector<Row>& rows, const std::string& set,
+                            Contract contract) {
+  std::vector<Row> timed = rows_where(rows, &Row::set, set, &Row::contract, contract);
+  std::erase_if(timed, [](const Row& row) { return !row.timing || !row.misrounded_percent; });
+  std::ranges::stable_sort(timed, {}, [](const Row& row) { return row.timing->ns.median; });
+  return timed;
+}
+
+// What a set asks of time for coordinates that are proved to be right.
+struct Price {
+  std::string set;
+  double percent = 0;    // of time, over the fastest
+  std::string unproved;  // the fastest that has every coordinate right without a proof, if any
+};
+
+std::vector<Price> prices_of(const std::vector<Row>& rows, Contract contract) {
+  std::vector<Price> prices;
+  for (const std::string& set : distinct(rows, &Row::set)) {
+    const std::vector<Row> timed = timed_rows(rows, set, contract);
+    const auto proved = std::ranges::find_if(timed, [](const Row& row) {
+      return row.clipper.starts_with("barycentric/correctly_rounded");
+    });
+    if (proved == timed.end()) continue;
+    const auto right = std::ranges::find(timed, std::optional(0.0), &Row::misrounded_percent);
+    prices.push_back({set, 100 * (proved->timing->ns.median / timed.front().timing->ns.median - 1),
+                      right < proved ? spoken_contestant(right->clipper, right->scalar) : ""});
+  }
+  return prices;
+}
+
+std::string on_set(const Price& price) {
+  const std::string percent =
+      price.percent < 0.5 ? "no time" : fmt::format("{:.0f} % of time", price.percent);
+  return fmt::format("{} on {}", percent, spoken_set(price.set));
+}
+
+// "Correct rounding is nearly free on the game-like mix ...": its price on the first set and on the
+// dearest one.
+std::string price_sentence(const std::vector<Price>& prices, std::string_view where) {
+  const Price& first = prices.front();
+  const Price& dearest = *std::ranges::max_element(prices, {}, &Price::percent);
+  const std::string_view claim = dearest.percent <= kNearlyFree ? "is nearly free"
+                                 : dearest.percent <= kHalf
+                                     ? "costs less than half as much time again"
+                                 : dearest.percent <= kTwice ? "costs less than twice the time"
+                                                             : "can cost more than twice the time";
+  std::string text = fmt::format("Correct rounding {} {}: over the fastest clipper it takes {}",
+                                 claim, where, on_set(first));
+  if (dearest.set != first.set) text += ", and at most " + on_set(dearest);
+  return text + ".";
+}
+
+// Who has the same coordinates for less, without a proof.
+std::string unproved_sentence(const std::vector<Price>& prices) {
+  const Price& dearest = *std::ranges::max_element(prices, {}, &Price::percent);
+  if (dearest.unproved.empty()) return "";
+  return fmt::format(
+      " What it buys is the proof: on {} {} has every coordinate right, too, and is faster.",
+      spoken_set(dearest.set), dearest.unproved);
+}
+
+std::string rounding_text(const std::vector<Row>& rows) {
+  for (const auto& [contract, where] : {std::pair{Contract::copy, "in the stage of a renderer"},
+                                        std::pair{Contract::number, "in the stage of a renderer"},
+                                        std::pair{Contract::full, "from view space on"}}) {
+    const std::vector<Price> prices = prices_of(rows, contract);
+    if (!prices.empty()) return price_sentence(prices, where) + unproved_sentence(prices);
+  }
+  return "No clipper that promises correct rounding was timed.";
+}
+
+// The scalars of the frontier by largest error from view space on, the fastest first, and how many
+// contestants it leaves behind.
+std::string way_text(const std::vector<Row>& rows, const std::string& set) {
+  std::vector<std::string> scalars;
+  std::size_t behind = 0;
+  const std::vector<Row> timed = timed_rows(rows, set, Contract::full);
+  for (const Row& row : timed) {
+    if (row.by_px.standing != Standing::frontier) {
+      ++behind;
+    } else if (std::ranges::find(scalars, spoken_scalar(row.scalar)) == scalars.end()) {
+      scalars.push_back(spoken_scalar(row.scalar));
+    }
+  }
+  if (scalars.empty()) return "";
+  const double share = static_cast<double>(behind) / static_cast<double>(timed.size());
+  const std::string way =
+      scalars.size() == 1
+          ? fmt::format("all that is worth its time computes in {}", scalars.front())
+          : fmt::format("smaller errors are bought by going from {}", fmt::join(scalars, " to "));
+  return fmt::format(
+      " From view space on, on {}, {}; {} contestants are beaten in both error and time.",
+      spoken_set(set), way, quantity(share));
+}
+
+}  // namespace
+
+std::string finding(const std::vector<Row>& rows) {
+  const auto judged = std::ranges::find_if(
+      rows, [](const Row& row) { return row.by_px.standing != Standing::unranked; });
+  if (judged == rows.end()) return "No contestant could be judged and timed.";
+  return rounding_text(rows) + way_text(rows, judged->set);
+}
+
+}  // namespace clipscope::experiments::frontier

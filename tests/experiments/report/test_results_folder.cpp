@@ -110,6 +110,17 @@ TEST_CASE("results: the README names every experiment with its question and its 
   CHECK(contains(results_readme(store_of(run, folder.path)), "| a \\| b |"));
 }
 
+TEST_CASE("results: the README begins with the answers, if the run has any") {
+  const TestFolder folder;
+  SampleRun run = sample_run({});
+  CHECK(contains(results_readme(store_of(run, folder.path)), "clipscope\n\n- [report.html]"));
+  run.push_back(sample_answers(""));
+  const std::string readme = results_readme(store_of(run, folder.path));
+  INFO(readme);
+  CHECK(contains(readme, "- **What does accuracy cost?** 52 % more time. ([sample](sample/))\n"));
+  CHECK(readme.find("- **") < readme.find("- [report.html]"));
+}
+
 TEST_CASE("results: many pictures are a link to the folder") {
   const TestFolder folder;
   SampleRun run = sample_run({});

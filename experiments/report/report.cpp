@@ -189,7 +189,7 @@ ReportPage report_page(const ResultsStore& store, const std::filesystem::path& d
   const std::string answers = answers_html(source);
   Experiments experiments = store.experiments();
   if (!answers.empty()) std::erase_if(experiments, is_called(kAnswers));
-  std::ranges::stable_partition(experiments, is_called(kClaims));
+  std::stable_partition(experiments.begin(), experiments.end(), is_called(kClaims));
   std::string body = contents_html(experiments, !answers.empty()) + header_html(run) +
                      "<main id=\"content\">\n" + answers + "<details" +
                      (answers.empty() ? " open" : "") + "><summary>The run</summary>\n" +

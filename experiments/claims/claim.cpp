@@ -15,7 +15,7 @@ bool fails(const Evidence& evidence) { return !evidence.holds.value_or(true); }
 double most_of(const std::vector<Evidence>& evidence, bool failing) {
   double most = -HUGE_VAL;
   for (const Evidence& e : evidence) {
-    if (fails(e) == failing) most = std::max(most, e.figure);
+    if (fails(e) == failing) most = std::max(most, e.figure.value);
   }
   return most;
 }
@@ -54,6 +54,10 @@ std::string Cases::where() const {
 double Cases::least() const { return std::ranges::min(evidence_, {}, &Evidence::figure).figure; }
 
 double Cases::most() const { return std::ranges::max(evidence_, {}, &Evidence::figure).figure; }
+
+std::string Cases::best() const {
+  return speak_(std::ranges::max(evidence_, {}, &Evidence::figure).of);
+}
 
 double Cases::most_holding() const { return most_of(evidence_, false); }
 

@@ -78,6 +78,8 @@ class Cases {
   double most() const;
   double most_holding() const;
   double most_failing() const;
+  // The case of the greatest figure, in words.
+  std::string best() const;
   const std::vector<Evidence>& evidence() const { return evidence_; }
 
   // Confirmed if it holds in all cases, true only under a condition if in some. `also`: what is

@@ -60,7 +60,7 @@ Cases spaces(const Results& results, std::string_view space,
   for (const std::string& mix : mixes(results)) {
     cases.add(beside(results, mix, mix, space, rivals, how));
     if (batch.empty()) continue;
-    cases.add(beside(results, mix + ", in batches", mix, batch, {rival_batch}, how));
+    cases.add(beside(results, mix + " in batches", mix, batch, {rival_batch}, how));
   }
   return cases;
 }
@@ -104,7 +104,7 @@ Cases times_as_long(const Results& results, std::string_view clipper, std::strin
   for (const std::string& mix : mixes(results)) {
     cases.add(decided(mix, "time over that of " + spoken_clipper(other),
                       ratio(speed_of(results, mix, other), speed_of(results, mix, clipper)),
-                      "times", not_above(limit)));
+                      "times", at_most(limit)));
   }
   return cases;
 }
@@ -242,7 +242,7 @@ Evidence price_of_rounding(const std::vector<frontier::Row>& rows) {
     throw MissingFigure(fmt::format("table frontier has no time of {}", kClipSpace));
   }
   const Contract contract = rows[0].contract;
-  return decided(fmt::format("{}, {} {}", rows[0].set, contract == Contract::full ? "in" : "by",
+  return decided(fmt::format("{} {} {}", rows[0].set, contract == Contract::full ? "in" : "by",
                              name_of(contract)),
                  fmt::format("time of {} over the usual", right), right_ns / usual_ns, "times",
                  above(kExpensive));
@@ -287,8 +287,8 @@ Judgement bounding_volumes(const Results& results) {
   }
   std::vector<Evidence> evidence = places.evidence();
   const bool some = std::ranges::any_of(evidence, [](const Evidence& e) { return *e.holds; });
-  evidence.push_back(decided("all scenes", "visible triangles of rejected objects", lost,
-                             "triangles", exactly(0)));
+  evidence.push_back(
+      decided("all scenes", "visible triangles of rejected objects", lost, "", exactly(0)));
   return judged(
       std::move(evidence), lost == 0 && some,
       {fmt::format("Bounds settle at least {} % of the objects in every scene.",

@@ -130,8 +130,7 @@ double largest_px(const Results& results, std::string_view clipper) {
 Judgement same_result(const Results& results) {
   std::vector<Evidence> evidence;
   std::int64_t differ = 0;
-  for (const char* quantity :
-       {"view/sutherland_hodgman differs", "homogeneous/sutherland_hodgman differs"}) {
+  for (const char* quantity : {"view space differs", "clip space differs"}) {
     const CountRow& row = count(results, quantity);
     evidence.push_back(evidence_of(row, Weighs::always));
     differ += row.count;
@@ -210,7 +209,7 @@ std::vector<Claim> claims_about_geometry() {
             "Even of a square picture {0} corners are off that plane."})},
       {12, "Clipping plane after plane, each output the next input, is enough.", "claims",
        by_counts(
-           {{"homogeneous/sutherland_hodgman differs"}},
+           {{"clip space differs"}},
            {"Plane after plane leaves the intersection of all half-spaces, exactly and in every case.",
             "",
             "Plane after plane leaves something else than the intersection of half-spaces in {0} cases."})},

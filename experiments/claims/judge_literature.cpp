@@ -48,11 +48,11 @@ Judgement midpoints_without_division(const Results& results) {
   };
   const double divisions = most(&PlaneRow::divisions), halvings = most(&PlaneRow::multiplications);
   const double comparisons = most(&PlaneRow::comparisons);
-  constexpr const char* kUnit = "per segment, at most of a mix";
+  constexpr const char* kUnit = "per segment";
   return judged(
-      {decided("all mixes", "divisions", divisions, kUnit, exactly(0)),
-       told("all mixes", "halvings", halvings, kUnit),
-       told("all mixes", "comparisons", comparisons, kUnit)},
+      {decided("all mixes", "most divisions of any mix", divisions, kUnit, exactly(0)),
+       told("all mixes", "most halvings of any mix", halvings, kUnit),
+       told("all mixes", "most comparisons of any mix", comparisons, kUnit)},
       false,
       {fmt::format(
            "Midpoint subdivision never divides, but halves up to {} times per segment and compares up to {} times.",

@@ -97,10 +97,13 @@ std::string confirmed_text(const Names& names, const Cases& cases) {
                      pace_text(cases.least()), names.rival);
 }
 
-// A condition with two figures of its own is enough.
+// Beside two figures of the condition there is no room for another.
 std::string conditional_text(const Names& names, const Cases& cases) {
   const std::string where = cases.where();
-  if (figures_in(where).size() > 1) return where + ".";
+  if (figures_in(where).size() > 1) {
+    const std::string best = cases.best();
+    return where + (figures_in(best).empty() ? "; it gains most on " + best + "." : ".");
+  }
   return fmt::format("{}; there {} {} {}.", where, names.method,
                      pace_text(cases.most_holding(), "up to "), names.rival);
 }

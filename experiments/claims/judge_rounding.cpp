@@ -26,8 +26,8 @@ Judgement w_plane_prevents(const Results& results) {
                                         [](const Epsilon& row) { return row.loss.lost_percent; },
                                         &Epsilon::clipper, kWPlane)));
   return judged(
-      {decided("without the plane", "divisions by w = 0 in float", without, "triangles", above(0)),
-       decided("with the plane", "divisions by w = 0 in float", with, "triangles", exactly(0)),
+      {decided("without the plane", "triangles divided by w = 0 in float", without, "", above(0)),
+       decided("with the plane", "triangles divided by w = 0 in float", with, "", exactly(0)),
        decided("with the plane", "share of what is visible that it cuts away, near the eye", lost,
                "%", exactly(0))},
       with == 0 && without > 0,
@@ -51,7 +51,7 @@ Judgement near_first(const Results& results) {
   const std::vector<Evidence> evidence = {
       decided("exact arithmetic", "triangles that some order gets wrong", wrong,
               fmt::format("of {} with w <= 0", all.exact.mixed_w), above(0)),
-      decided("float", "triangles wrong with near first, against near last", first, "triangles",
+      decided("float", "triangles wrong with near first, against near last", first, "",
               below(last))};
   return judged(
       evidence, wrong > 0 || first < last,
@@ -78,7 +78,7 @@ Judgement any_order(const Results& results) {
       {decided("exact arithmetic", "results that the order changes", differs,
                fmt::format("of {}", all.exact.triangles), exactly(0)),
        decided("float", "results that the order changes", static_cast<double>(all.in_float.differs),
-               "triangles", exactly(0)),
+               "", exactly(0)),
        told("float", "share of all results", all.in_float.differs_percent, "%"),
        told("float", "largest change", all.in_float.max_px, "px")},
       all.exact.differs == 0,

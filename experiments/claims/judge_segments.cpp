@@ -52,12 +52,12 @@ Judgement liang_barsky(const Results& results) {
   const auto divisions = [&](std::optional<double> R::*member, const char* what) {
     return decided("all mixes", what,
                    std::ranges::max(results.figures<R>(member, &R::clipper, kClipper)),
-                   "at most of a mix", exactly(0));
+                   "per segment", exactly(0));
   };
   const std::vector<Evidence> evidence = {
       speed("inside"), speed("outside"),
-      divisions(&R::divisions_per_accepted, "divisions per accepted segment"),
-      divisions(&R::divisions_per_rejected, "divisions per rejected segment")};
+      divisions(&R::divisions_per_accepted, "most divisions of any mix to accept"),
+      divisions(&R::divisions_per_rejected, "most divisions of any mix to reject")};
   const bool as_cheap = *evidence[0].holds && *evidence[1].holds;
   const bool divides_only = *evidence[2].holds && *evidence[3].holds;
   const double slower = 1 / std::min(evidence[0].figure, evidence[1].figure);
@@ -84,14 +84,14 @@ Judgement plane_segment(const Results& results) {
     const bool is_general = form.starts_with("any plane");
     const auto multiplications = static_cast<double>(cut.multiplications);
     if (!is_general && form.find("frustum in view space") != std::string::npos) {
-      evidence.push_back(told(form, "multiplications", multiplications, "per intersection"));
+      evidence.push_back(told(form, "multiplications", multiplications, "each"));
       continue;
     }
     ++(is_general ? general : normalised);
-    evidence.push_back(decided(form, "multiplications", multiplications, "per intersection",
-                               exactly(is_general ? 6 : 0)));
-    evidence.push_back(decided(form, "divisions", static_cast<double>(cut.divisions),
-                               "per intersection", exactly(1)));
+    evidence.push_back(
+        decided(form, "multiplications", multiplications, "each", exactly(is_general ? 6 : 0)));
+    evidence.push_back(
+        decided(form, "divisions", static_cast<double>(cut.divisions), "each", exactly(1)));
   }
   if (normalised == 0 || general == 0) {
     throw MissingFigure(

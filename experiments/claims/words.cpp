@@ -35,7 +35,7 @@ constexpr std::array kLineMixes = {
     LineMix{"cross_w0", "lines that reach behind the eye"}};
 
 // Behind the name of a mix of which many triangles are cut at once.
-constexpr std::string_view kInBatches = ", in batches";
+constexpr std::string_view kInBatches = " in batches";
 
 // Names with a number in them, and what one or several of these cases are called.
 struct Scale {
@@ -159,19 +159,20 @@ std::vector<std::string> spoken_methods(std::string_view clipper,
   std::vector<std::string> names = {spoken_clipper(clipper)};
   for (const std::string_view other : others) names.push_back(spoken_clipper(other));
   const std::string place = place_in(names[0]);
-  const bool is_shared =
-      std::ranges::all_of(names, [&](const std::string& name) { return name.ends_with(place); });
+  const bool is_shared = std::ranges::all_of(names, [&](const std::string& name) {
+    const std::string other = place_in(name);
+    return other.empty() || other == place;
+  });
   if (!is_shared) return names;
-  for (std::string& name : names) name.resize(name.size() - place.size());
+  for (std::string& name : names) name.resize(name.size() - place_in(name).size());
   return names;
 }
 
 std::string edges_name(std::int64_t edges) { return fmt::format("{} edges", edges); }
 
 std::string spoken_triangles(std::string_view name) {
-  const std::size_t comma = name.find(", ");
-  if (comma == name.npos) return spoken_set(name);
-  return fmt::format("{} {}", spoken_set(name.substr(0, comma)), name.substr(comma + 2));
+  const std::size_t set = std::min(name.find(' '), name.size());
+  return fmt::format("{}{}", spoken_set(name.substr(0, set)), name.substr(set));
 }
 
 std::string spoken_lines(std::string_view name) {

@@ -18,7 +18,7 @@ std::string number_text(double number);
 // within half a percent. `up_to` stands before the figure.
 std::string pace_text(double times_as_fast, std::string_view up_to = "");
 
-// A clipper and others: where all of them are of one place, their methods alone, such as
+// A clipper and others: where their names tell of one place at most, their methods alone, such as
 // "Cohen-Sutherland", not "Cohen-Sutherland in the window".
 std::vector<std::string> spoken_methods(std::string_view clipper,
                                         const std::vector<std::string_view>& others);
@@ -29,7 +29,7 @@ using Speak = std::string (*)(std::string_view);
 // The name of the case that a convex polygon of so many edges is.
 std::string edges_name(std::int64_t edges);
 
-// Of triangles: "the game-like mix in batches" for "soup, in batches".
+// Of triangles: "the game-like mix in batches" for "soup in batches".
 std::string spoken_triangles(std::string_view name);
 // Of segments, in the plane, in space and in a convex polygon: "lines beside the window", "lines in
 // a polygon of 8 edges" for "8 edges".

@@ -47,20 +47,6 @@ void draw(const ExperimentContext& context, const Scene& scene, const PictureSiz
   }
 }
 
-std::string finding(const std::vector<Row>& rows, const PictureSize& size) {
-  const auto worst = std::ranges::max_element(rows, {}, &Row::wrong_px);
-  if (worst == rows.end()) return "No clipper was asked for.";
-  const auto right = std::ranges::count(rows, 0, &Row::wrong_px);
-  std::string text = fmt::format("{} of {} pictures show in every pixel the side that is there",
-                                 right, rows.size());
-  if (worst->wrong_px() == 0) return text + ".";
-  return text +
-         fmt::format(
-             "; the worst is {} on {}: {:.0f} % of its pixels are holes, extra or show the wrong side.",
-             worst->clipper, worst->scene,
-             100.0 * static_cast<double>(worst->wrong_px()) / (size.width * size.height));
-}
-
 void run(const ExperimentContext& context) {
   const Selection& selection = context.selection();
   const PictureSize size = selection.quick ? PictureSize{480, 270} : PictureSize{};
@@ -74,7 +60,8 @@ void run(const ExperimentContext& context) {
   }
   table.add_note(machine_description());
   context.emit(table);
-  context.finding(finding(table.rows(), size));
+  context.finding(finding(table.rows(), static_cast<std::uint64_t>(size.width) *
+                                            static_cast<std::uint64_t>(size.height)));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace clipscope::experiments {
 namespace {
@@ -96,17 +97,34 @@ std::size_t character_count(std::string_view text) {
       text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
+namespace {
+
+// A word that does not fit a line may break behind its hyphens.
+std::vector<std::string> pieces_of(const std::string& word, std::size_t width) {
+  if (character_count(word) <= width) return {word};
+  std::vector<std::string> pieces(1);
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    pieces.back() += word[i];
+    if (word[i] == '-' && i + 1 < word.size()) pieces.emplace_back();
+  }
+  return pieces;
+}
+
+}  // namespace
+
 std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
   if (width == 0 || character_count(text) <= width) return {text};
   std::vector<std::string> lines(1);
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    if (lines.back().empty()) {
-      lines.back() = word;
-    } else if (character_count(lines.back()) + 1 + character_count(word) <= width) {
-      lines.back() += " " + word;
-    } else {
-      lines.push_back(word);
+    std::string blank = lines.back().empty() ? "" : " ";
+    for (const std::string& piece : pieces_of(word, width)) {
+      const std::string more = std::exchange(blank, "") + piece;
+      if (lines.back().empty() || character_count(lines.back() + more) <= width) {
+        lines.back() += more;
+      } else {
+        lines.push_back(piece);
+      }
     }
   }
   return lines;

@@ -22,7 +22,8 @@ std::string visible_utf8(std::string_view text);
 // Code points: the columns of a terminal that a text without wide characters takes.
 std::size_t character_count(std::string_view text);
 
-// The words of a text in lines of at most `width` characters; one line where it is 0.
+// The words of a text in lines of at most `width` characters; one line where it is 0. A word that
+// is longer breaks behind its hyphens alone.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
 // In double quotes, those within it doubled, as CSV and SQL have it.

@@ -120,7 +120,7 @@ std::vector<Alteration> alterations_of_geometry() {
       {8, counted("leaves anything else", 3), kRefuted},
       {9, counted("attribute at t after the divide is wrong", 9), kConditional},
       {10, counted("corners off the plane, aspect not 1", 20), kConditional},
-      {12, counted("homogeneous/sutherland_hodgman differs", 1), kRefuted},
+      {12, counted("clip space differs", 1), kRefuted},
       {16, counted("a concave polygon leaves several", 0), kRefuted},
       {22, altered(+[](guard_band::PictureRow& row) { row.extra_px = 2; }), kConditional},
       {22, altered(+[](guard_band::PointsRow& row) { row.tally.differ = 1; }), kRefuted},

@@ -67,9 +67,9 @@ std::vector<CountRow> counts() {
   add("denominator overflows", 1);
   add("9 vertices", 5);
   add("more than 9 vertices", 0);
-  add("view/sutherland_hodgman differs", 0);
-  add("homogeneous/sutherland_hodgman differs", 0);
-  add("cvv/near_first differs", 0);
+  add("view space differs", 0);
+  add("clip space differs", 0);
+  add("the CVV differs", 0);
   add("clip coordinates are (1, 1, -20/9, 0)", 1, 1);
   return rows;
 }

@@ -128,22 +128,34 @@ TEST_CASE("claims: what holds in some cases is true only when the input is one o
   CHECK(half_true({"inside"}, {"beside"}).verdict == Verdict::conditional);
 }
 
-TEST_CASE("claims: a bound takes all of an interval, but for the benefit of the doubt") {
+TEST_CASE("claims: a bound takes all of an interval, but for limits and the benefit of the doubt") {
   const MedianInterval about_one = {1, 0.9, 1.1}, more = {2, 1.5, 2.5};
   CHECK_FALSE(above(1).admits(about_one));
   CHECK(above(1).admits(more));
   CHECK_FALSE(below(1).admits(about_one));
   CHECK_FALSE(at_least(1).admits(about_one));
-  CHECK_FALSE(at_most(1).admits(about_one));
-  CHECK(at_most(2.5).admits(more));
+  CHECK(at_most(2).admits(more));
+  CHECK_FALSE(at_most(1.9).admits(more));
   CHECK(not_below(1).admits(about_one));
   CHECK_FALSE(not_below(3).admits(more));
-  CHECK(not_above(1).admits(about_one));
-  CHECK_FALSE(not_above(1).admits(more));
   CHECK_FALSE(exactly(1).admits(about_one));
   CHECK(exactly(1).admits({1, 1, 1}));
-  CHECK(at_most(1.5).text() == "at most 1.50");
+  CHECK(at_most(1.5).text() == "at most 1.5");
   CHECK(exactly(0).text() == "0");
+}
+
+TEST_CASE("claims: evidence is read back as it was written, counts without a point") {
+  TableOf<Evidence> table;
+  table.add(decided("soup", "speed", MedianInterval{2, 1.5, 2.5}, "times", above(1)));
+  table.add(told("soup", "triangles", 1234567, ""));
+  CHECK(format_cell(table.Table::rows()[1][3]) == "1234567");
+  const std::vector<Evidence> rows = table.rows();
+  CHECK(rows[0].figure == 2.0);
+  CHECK(rows[0].ends->high == 2.5);
+  CHECK(rows[0].holds == true);
+  CHECK(rows[1].figure == 1234567.0);
+  CHECK_FALSE(rows[1].ends);
+  CHECK_FALSE(rows[1].holds);
 }
 
 }  // namespace

@@ -112,6 +112,26 @@ TEST_CASE("rankings: the sentence says where the method wins, and by how much") 
         "Liang-Barsky wins nowhere: at its best it takes 25 % longer than Cohen-Sutherland.");
 }
 
+TEST_CASE("rankings: a condition that counts names where the method gains most") {
+  const Ranking ranking = published_rankings().front();
+  std::vector<segments::PlaneRow> rows;
+  const auto add = [&](const char* mix, double speedup) {
+    for (const auto& [clipper, its] :
+         {std::pair{ranking.method, speedup}, {ranking.others[0], 1}}) {
+      rows.push_back(row_with<segments::PlaneRow>(
+          &segments::PlaneRow::mix, mix, &segments::PlaneRow::clipper, clipper,
+          &segments::PlaneRow::scalar, "float", &segments::PlaneRow::timing, timing(its)));
+    }
+  };
+  for (const char* mix : {"box_1", "box_4", "inside", "past_corner"}) add(mix, 2);
+  for (const char* mix : {"box_2", "beside", "one_end_out"}) add(mix, 0.5);
+  add("both_ends_out", 3);
+  Fabricated run;
+  run.set(rows);
+  CHECK(judge(ranking, run.results()).because ==
+        "The input suits it, as 5 of 8 cases do; it gains most on lines with both ends out.");
+}
+
 TEST_CASE("rankings: a verdict is one sentence of two figures at most") {
   for (const Ranking& ranking : published_rankings()) {
     for (const double lead : {0.3, 0.8, 1.001, 1.2, 7.0}) {

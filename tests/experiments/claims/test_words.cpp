@@ -35,7 +35,7 @@ TEST_CASE("claims: every mix of segments has words") {
     CHECK(spoken_lines(mix).find('_') == std::string::npos);
   }
   CHECK(spoken_lines("8 edges") == "lines in a polygon of 8 edges");
-  CHECK(spoken_triangles("soup, in batches") == "the game-like mix in batches");
+  CHECK(spoken_triangles("soup in batches") == "the game-like mix in batches");
 }
 
 TEST_CASE("claims: a condition names the cases that are fewer") {
@@ -48,14 +48,16 @@ TEST_CASE("claims: a condition names the cases that are fewer") {
 }
 
 TEST_CASE("claims: a mix alone and in batches is one case of a condition") {
-  CHECK(where_text({"soup", "slivers, in batches", "soup, in batches"},
-                   {"slivers", "teapot", "teapot, in batches"}, spoken_triangles) ==
+  CHECK(where_text({"soup", "slivers in batches", "soup in batches"},
+                   {"slivers", "teapot", "teapot in batches"}, spoken_triangles) ==
         "The input consists of the game-like mix alone and in batches or slivers in batches");
 }
 
 TEST_CASE("claims: methods of one place are called without it") {
   CHECK(spoken_methods("window/cohen_sutherland", {"window/cyrus_beck"}) ==
         Names{"Cohen-Sutherland", "Cyrus-Beck"});
+  CHECK(spoken_methods("window/cohen_sutherland", {"window/skala"}) ==
+        Names{"Cohen-Sutherland", "Skala's line clipper"});
   CHECK(spoken_methods("window/cohen_sutherland", {"cvv/cyrus_beck"}) ==
         Names{"Cohen-Sutherland in the window", "Cyrus-Beck after the divide"});
 }

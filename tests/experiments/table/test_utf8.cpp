@@ -21,5 +21,14 @@ TEST_CASE("visible text: bytes of no character are given as numbers") {
   CHECK(visible_utf8("\xE2\x82") == "<0xE2><0x82>");
 }
 
+TEST_CASE("wrapped text: lines break at blanks, and behind hyphens where a word is longer") {
+  using Lines = std::vector<std::string>;
+  CHECK(wrapped("one two three", 7) == Lines{"one two", "three"});
+  CHECK(wrapped("of Liang-Barsky", 12) == Lines{"of", "Liang-Barsky"});
+  CHECK(wrapped("of Nicholl-Lee-Nicholl", 14) == Lines{"of Nicholl-", "Lee-Nicholl"});
+  CHECK(wrapped("of Nicholl-Lee-Nicholl", 0) == Lines{"of Nicholl-Lee-Nicholl"});
+  CHECK(wrapped("unbreakable", 4) == Lines{"unbreakable"});
+}
+
 }  // namespace
 }  // namespace clipscope::experiments

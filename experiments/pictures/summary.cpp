@@ -13,9 +13,8 @@ std::string finding(const std::vector<Row>& rows, std::uint64_t pixels) {
   const auto worst = std::ranges::max_element(rows, {}, &Row::wrong_px);
   if (worst == rows.end()) return "No clipper was asked for.";
   const auto right = std::ranges::count(rows, std::uint64_t(0), &Row::wrong_px);
-  std::string text = fmt::format(
-      "On scenes that reach behind the eye, {} {} in every pixel the side that is there.",
-      some_of(right, std::ranges::ssize(rows), "pictures"), right == 1 ? "shows" : "show");
+  const std::string text = fmt::format("The side that is there shows in every pixel of {}.",
+                                       some_of(right, std::ranges::ssize(rows), "pictures"));
   if (worst->wrong_px() == 0) return text;
   const double share = static_cast<double>(worst->wrong_px()) / static_cast<double>(pixels);
   return text +

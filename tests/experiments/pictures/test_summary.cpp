@@ -20,14 +20,12 @@ TEST_CASE("pictures: the finding counts those that are right, and says what the 
                            {"corridor", "whole/all_outside", 30, 20, 10}};
   CHECK(
       checked(rows) ==
-      "On scenes that reach behind the eye, 1 of 2 pictures shows in every pixel the side that is there. The worst is that of keeping triangles whole on the corridor: most pixels are holes, cover what is not there or show the wrong side.");
+      "The side that is there shows in every pixel of 1 of 2 pictures. The worst is that of keeping triangles whole on the corridor: most pixels are holes, cover what is not there or show the wrong side.");
   rows[1].holes_px = 0;
   rows[1].extra_px = 0;
   CHECK(checked(rows).find("on the corridor: few pixels are holes") != std::string::npos);
   rows[1].flipped_px = 0;
-  CHECK(
-      checked(rows) ==
-      "On scenes that reach behind the eye, all pictures show in every pixel the side that is there.");
+  CHECK(checked(rows) == "The side that is there shows in every pixel of all pictures.");
   CHECK(checked({}) == "No clipper was asked for.");
 }
 

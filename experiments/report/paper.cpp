@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
+#include <regex>
 
 #include "experiments/machine/errors.hpp"
 #include "experiments/machine/files.hpp"
@@ -31,14 +32,19 @@ Json read_contents(const fs::path& path) {
   }
 }
 
-// The text escaped; lines may break within names such as homogeneous/sutherland_hodgman.
+// The text escaped and set: powers of ten, comparisons and percentages as in print; lines may break
+// within names such as homogeneous/sutherland_hodgman.
 std::string latex_prose(const std::string& text) {
-  std::string prose;
-  for (const char c : latex_escape(text)) {
-    prose += c;
-    if (c == '/' || c == '_') prose += "\\allowbreak{}";
-  }
-  return prose;
+  static const std::regex one(R"((^|[\s(])1e\+?(-?)0*(\d+))"),
+      number(R"((^|[\s(])(\d+(?:\.\d+)?)e\+?(-?)0*(\d+))"), less(R"(\\textless\{\}=)"),
+      greater(R"(\\textgreater\{\}=)"), percent(R"( \\%)"), within(R"((/|\\_))");
+  std::string prose = latex_escape(text);
+  prose = std::regex_replace(prose, one, "$1$$10^{$2$3}$$");
+  prose = std::regex_replace(prose, number, "$1$$$2\\cdot10^{$3$4}$$");
+  prose = std::regex_replace(prose, less, "$$\\le$$");
+  prose = std::regex_replace(prose, greater, "$$\\ge$$");
+  prose = std::regex_replace(prose, percent, "\\,\\%");
+  return std::regex_replace(prose, within, "$1\\allowbreak{}");
 }
 
 double taken(const std::vector<double>& numbers, const std::string& how) {

@@ -37,6 +37,7 @@ class Paper {
   std::string file(const std::string& contents, const std::string& name) const {
     SampleRun run = sample_run({});
     run.front().tables = {times()};
+    run.front().experiment.finding = "Off by 1.6e-04 px at w <= 1e-05: 3 % of w_first_1e-5.";
     write_file(folder_ / "contents.json", contents);
     write_paper_inputs(store_of(run, folder_), folder_ / "contents.json", folder_);
     std::ifstream file(folder_ / name);
@@ -123,6 +124,12 @@ TEST_CASE("paper: a pivot keeps the order of its lists, and dashes what is not t
         "\\begin{tabular}{lrr}\n\\toprule\n & hard & game-like \\\\\n\\midrule\n"
         "dividing first with affine attributes & -- & 30.0 \\\\\nclip space & 50.0 & 20.0 \\\\\n"
         "\\bottomrule\n\\end{tabular}\n");
+}
+
+TEST_CASE("paper: a finding is set as in print, and its names may break") {
+  const std::string finding =
+      R"({Off by $1.6\cdot10^{-4}$ px at w $\le$ $10^{-5}$: 3\,\% of w\_\allowbreak{}first\_\allowbreak{}1e-5.})";
+  CHECK_THAT(Paper().file("{}", "values.tex"), Catch::Contains(finding));
 }
 
 TEST_CASE("paper: what the run has not is named") {

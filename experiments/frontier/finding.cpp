@@ -46,26 +46,28 @@ std::vector<Price> prices_of(const std::vector<Row>& rows, Contract contract) {
   return prices;
 }
 
-std::string on_set(const Price& price) {
-  const std::string percent =
-      price.percent < 0.5 ? "no time" : fmt::format("{:.0f} % of time", price.percent);
-  return fmt::format("{} on {}", percent, spoken_set(price.set));
+std::string_view claim_of(const Price& price) {
+  if (price.percent <= kNearlyFree) return "is nearly free";
+  if (price.percent <= kHalf) return "costs less than half as much time again";
+  return price.percent <= kTwice ? "costs less than twice the time" : "more than doubles the time";
 }
 
-// "Correct rounding is nearly free on the game-like mix ...": its price on the first set and on the
-// dearest one.
+std::string more_time(const Price& price) {
+  return price.percent < 0.5 ? "no more time" : fmt::format("{:.0f} % more time", price.percent);
+}
+
+// Its price on the first set and on the dearest one.
 std::string price_sentence(const std::vector<Price>& prices, std::string_view where) {
   const Price& first = prices.front();
   const Price& dearest = *std::ranges::max_element(prices, {}, &Price::percent);
-  const std::string_view claim = dearest.percent <= kNearlyFree ? "is nearly free"
-                                 : dearest.percent <= kHalf
-                                     ? "costs less than half as much time again"
-                                 : dearest.percent <= kTwice ? "costs less than twice the time"
-                                                             : "can cost more than twice the time";
-  std::string text = fmt::format("Correct rounding {} {}: over the fastest clipper it takes {}",
-                                 claim, where, on_set(first));
-  if (dearest.set != first.set) text += ", and at most " + on_set(dearest);
-  return text + ".";
+  const std::string text =
+      fmt::format("{} correct rounding {} on {}, where it takes {} than the fastest clipper.",
+                  where, claim_of(first), spoken_set(first.set), more_time(first));
+  if (dearest.set == first.set) return text;
+  const std::string set = spoken_set(dearest.set), more = more_time(dearest);
+  return claim_of(dearest) == claim_of(first)
+             ? fmt::format("{} On no set is it dearer than on {}, at {}.", text, set, more)
+             : fmt::format("{} On {} it {}, at {}.", text, set, claim_of(dearest), more);
 }
 
 // Who has the same coordinates for less, without a proof.
@@ -78,9 +80,9 @@ std::string unproved_sentence(const std::vector<Price>& prices) {
 }
 
 std::string rounding_text(const std::vector<Row>& rows) {
-  for (const auto& [contract, where] : {std::pair{Contract::copy, "in the stage of a renderer"},
-                                        std::pair{Contract::number, "in the stage of a renderer"},
-                                        std::pair{Contract::full, "from view space on"}}) {
+  for (const auto& [contract, where] : {std::pair{Contract::copy, "In the stage of a renderer"},
+                                        std::pair{Contract::number, "In the stage of a renderer"},
+                                        std::pair{Contract::full, "From view space on"}}) {
     const std::vector<Price> prices = prices_of(rows, contract);
     if (!prices.empty()) return price_sentence(prices, where) + unproved_sentence(prices);
   }

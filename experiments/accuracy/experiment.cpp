@@ -2,7 +2,6 @@
 //
 // Accuracy: scenes x clippers x scalars against the exact frustum (T_frustum).
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -33,52 +32,6 @@ void measure_scene(const Scene& scene, const Selection& selection, const Accurac
         worst_input(selection, scene, *contestants[i],
                     {view, triangles.front(), worst.triangle, "position_px", worst.error}));
   }
-}
-
-// The usual clipper of each space, and the one that computes every vertex from the original three.
-constexpr std::array kUsual = {std::pair{"view space", "view/sutherland_hodgman"},
-                               std::pair{"clip space", "homogeneous/sutherland_hodgman"},
-                               std::pair{"the CVV (near plane first)", "cvv/near_first"},
-                               std::pair{"the distance matrix", "barycentric/distance_matrix"}};
-
-// The rows of a clipper in float on scenes where some triangle had the right vertices.
-std::vector<Row> rows_in_float(const std::vector<Row>& rows, std::string_view clipper) {
-  std::vector<Row> in_float = rows_where(rows, &Row::clipper, clipper, &Row::scalar, "float");
-  std::erase_if(in_float, [](const Row& row) { return !row.figures.px; });
-  return in_float;
-}
-
-double largest_px(const Row& row) { return row.figures.px->max; }
-
-Plot error_plot(const std::vector<Row>& rows) {
-  Plot plot{.name = "accuracy",
-            .title = "Largest error of float clipping on each scene",
-            .caption = "Over the triangles whose vertices are the right ones, at 3840 x 2160.",
-            .x = {.label = "scene"},
-            .y = {.label = "largest error [px]", .logarithmic = true},
-            .categories = distinct(rows, &Row::scene)};
-  for (const auto& [space, clipper] : kUsual) {
-    const std::vector<Row> in_float = rows_in_float(rows, clipper);
-    if (!in_float.empty()) add_bars(plot, space, in_float, largest_px, &Row::scene);
-  }
-  return plot;
-}
-
-std::string finding(const std::vector<Row>& rows) {
-  std::vector<std::string> parts;
-  for (const auto& [space, clipper] : kUsual) {
-    const std::vector<Row> in_float = rows_in_float(rows, clipper);
-    if (in_float.empty()) continue;
-    const Row& worst = *std::ranges::max_element(in_float, {}, largest_px);
-    parts.push_back(
-        fmt::format("{} {} px on {}", space, format_number(largest_px(worst)), worst.scene));
-  }
-  if (parts.empty()) {
-    return "Nothing was judged: no usual clipper was asked for in float, or none had the right vertices of a visible triangle.";
-  }
-  return fmt::format(
-      "The largest error of float clipping where the vertices are the right ones: {}.",
-      fmt::join(parts, ", "));
 }
 
 void run(const ExperimentContext& context) {

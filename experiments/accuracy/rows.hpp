@@ -4,6 +4,7 @@
 #pragma once
 
 #include "experiments/contestants/columns.hpp"
+#include "experiments/report/plot.hpp"
 #include "experiments/survey/accuracy.hpp"
 
 namespace clipscope::experiments::accuracy {
@@ -38,5 +39,13 @@ struct WorstRow {
                       column("triangle", &R::triangle));
   }
 };
+
+// What is said of accuracy at the end, from the rows of its table alone.
+
+// The largest error of the usual clippers in float, by scene. Without series if nothing was judged.
+Plot error_plot(const std::vector<Row>& rows);
+
+// Where float clipping is visibly off though the vertices are the right ones, and by how much.
+std::string finding(const std::vector<Row>& rows);
 
 }  // namespace clipscope::experiments::accuracy

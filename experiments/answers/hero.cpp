@@ -25,11 +25,12 @@ double height(double wrong_per_million) { return std::max(wrong_per_million, kNo
 
 std::string folder_of(const std::string& clipper) { return clipper.substr(0, clipper.find('/')); }
 
-// The name of the step that an offer is; empty if it is none.
+// The name of the step that an offer is, without an article; empty if it is none.
 std::string step_name(const PriceList& prices, const Offer& offer) {
   const PriceRow* step =
       find_row(prices.steps, &PriceRow::clipper, offer.clipper, &PriceRow::scalar, offer.scalar);
-  return step == nullptr ? "" : step->step;
+  if (step == nullptr) return "";
+  return step->step.starts_with("the ") ? step->step.substr(4) : step->step;
 }
 
 // "+41 % time", or how many times as long where percents become hard to read.
@@ -52,7 +53,7 @@ Series points_of(const std::string_view folder, const std::string_view name,
 
 // From step to step, with what each costs over the one before at the middle of its stretch.
 Series price_line(const PriceList& prices) {
-  Series line{.name = "price list", .marks = Marks::line, .muted = true};
+  Series line{.name = "price list", .marks = Marks::line};
   const auto add = [&](double ns, double wrong, const std::string& label) {
     line.add(ns, wrong);
     line.labels.push_back(label);

@@ -94,7 +94,7 @@ std::string lacking(const Evidence& evidence, const Needs& needs, const Offer& o
   }
   if (needs.right_on_game && q.game_wrong > 0) return wrong(q.game_wrong, "game-like");
   if (needs.right_on_game && q.game_px >= kSubpixel) {
-    return fmt::format("is off by {} px", format_number(q.game_px));
+    return fmt::format("is off by {:.2g} px", q.game_px);
   }
   if (needs.right_on_hard && q.hard_wrong > 0) return wrong(q.hard_wrong, "hard");
   if (needs.confined && !is_confined(judged)) return "may leave a vertex outside the volume";

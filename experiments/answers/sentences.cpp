@@ -66,12 +66,12 @@ std::string most_accurate(const Evidence& evidence) {
   std::ranges::stable_sort(errors, {}, &Error::px);
   const Error &least = errors.front(), &most = errors.back();
   if (most.px <= 2 * least.px) {
-    return fmt::format("The three spaces err alike in float, by up to {} px on the game-like mix.",
-                       format_number(most.px));
+    return fmt::format(
+        "The three spaces err alike in float, by up to {:.2g} px on the game-like mix.", most.px);
   }
   return fmt::format(
-      "In float the most accurate is {}: its largest error on the game-like mix is {} px, and {} px in {}.",
-      least.space->place, format_number(least.px), format_number(most.px), most.space->place);
+      "In float the most accurate is {}: its largest error on the game-like mix is {:.2g} px, and {:.2g} px in {}.",
+      least.space->place, least.px, most.px, most.space->place);
 }
 
 std::string price(const Evidence& evidence) {

@@ -5,7 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
+
+#include "experiments/contestants/spoken.hpp"
+#include "experiments/table/prose.hpp"
 
 namespace clipscope::experiments::attributes {
 namespace {
@@ -54,47 +56,54 @@ double largest(const Rows& rows, Figure figure) {
   return std::ranges::max(rows, {}, figure).*figure;
 }
 
+// What may well be noise is no difference: a tenth.
+bool is_more(double a, double b) { return a > 1.1 * b; }
+
 // Chain against originals: what grows with the cuts, and what does not.
 std::string chain_sentence(const Rows& errors) {
   const Rows chain = in_float(errors, Treatment::smooth, kChain);
   const Rows originals = in_float(errors, Treatment::smooth, kOriginals);
-  const ErrorRow* chain_1 = find_row(chain, &ErrorRow::planes, 1);
   const ErrorRow* chain_6 = find_row(chain, &ErrorRow::planes, 6);
-  const ErrorRow* originals_1 = find_row(originals, &ErrorRow::planes, 1);
   const ErrorRow* originals_6 = find_row(originals, &ErrorRow::planes, 6);
-  if (!chain_1 || !chain_6 || !originals_1 || !originals_6) return "";
+  if (!chain_6 || !originals_6) return "";
+  const double chain_inside = largest(chain, &ErrorRow::inside_max_abs);
+  const double originals_inside = largest(originals, &ErrorRow::inside_max_abs);
   return fmt::format(
-      "From one plane crossed to six the median error of a smooth attribute goes from {:.2f} to {:.2f} ulp in a chain of cuts and from {:.2f} to {:.2f} ulp made from the original vertices (float); the largest one is {:.1e} and {:.1e} at a vertex, {:.1e} and {:.1e} inside.",
-      chain_1->median_ulp, chain_6->median_ulp, originals_1->median_ulp, originals_6->median_ulp,
-      largest(chain, &ErrorRow::max_abs), largest(originals, &ErrorRow::max_abs),
-      largest(chain, &ErrorRow::inside_max_abs), largest(originals, &ErrorRow::inside_max_abs));
+      "A chain of cuts {} smooth attributes than computing every vertex from the original three: with six planes crossed the median error is {} ulp against {} ulp in float. Inside the polygon, where vertices in the wrong place bend what lies between, the chain is off {}.",
+      is_more(chain_6->median_ulp, originals_6->median_ulp) ? "costs more accuracy of"
+                                                            : "costs no more accuracy of",
+      format_number(chain_6->median_ulp), format_number(originals_6->median_ulp),
+      chain_inside > 10 * originals_inside      ? "more than ten times as far"
+      : is_more(chain_inside, originals_inside) ? "farther, too"
+                                                : "no farther");
 }
 
 std::string mode_sentence(const Rows& errors) {
   const Rows as_is = in_float(errors, Treatment::noperspective, kChain);
   const Rows times_w = in_float(errors, Treatment::times_w, kChain);
   if (as_is.empty() || times_w.empty()) return "";
-  return fmt::format(
-      " A noperspective attribute clipped as a smooth one is off by up to {:.2g}, carried as a*w by {:.1e}.",
-      largest(as_is, &ErrorRow::max_abs), largest(times_w, &ErrorRow::max_abs));
+  const bool wrong = largest(as_is, &ErrorRow::max_abs) > 10 * largest(times_w, &ErrorRow::max_abs);
+  return wrong
+             ? "A noperspective attribute must be carried times w: clipped as a smooth one it is wrong."
+             : "A noperspective attribute may be clipped as a smooth one.";
 }
 
 std::string flat_sentence(const std::vector<FlatRow>& flat) {
-  double first = 0, last = 0, triangles = 0;
-  std::set<std::string> changing;
+  double changed = 0, triangles = 0;
+  std::vector<std::string> changing;
   for (const FlatRow& row : flat) {
     const auto n = static_cast<double>(row.triangles);
     triangles += n;
-    first += n * row.first_changed_percent;
-    last += n * row.last_changed_percent;
-    if (row.constant_changed_percent > 0) changing.insert(row.clipper);
+    changed += n * std::min(row.first_changed_percent, row.last_changed_percent) / 100;
+    if (row.constant_changed_percent > 0) changing.push_back(spoken_clipper(row.clipper));
   }
   if (triangles == 0) return "";
+  std::ranges::sort(changing);
+  changing.erase(std::unique(changing.begin(), changing.end()), changing.end());
   return fmt::format(
-      " Read from the clipped polygon a flat value is wrong in {:.3g} % (first vertex) and {:.3g} % (last) of the triangles; given to all three vertices beforehand it stays the same to the bit in {}.",
-      first / triangles, last / triangles,
-      changing.empty() ? "every clipper"
-                       : fmt::format("all clippers but {}", fmt::join(changing, ", ")));
+      "A flat value read from the clipped polygon is wrong for {} triangles; given to all three vertices beforehand it keeps its bits in {}.",
+      quantity(changed / triangles),
+      changing.empty() ? "every clipper" : "all clippers but " + listed(changing));
 }
 
 }  // namespace
@@ -142,7 +151,11 @@ Plot treatments_plot(const Rows& errors) {
 }
 
 std::string finding(const Rows& errors, const std::vector<FlatRow>& flat) {
-  return chain_sentence(errors) + mode_sentence(errors) + flat_sentence(flat);
+  std::vector<std::string> sentences = {chain_sentence(errors), mode_sentence(errors),
+                                        flat_sentence(flat)};
+  std::erase(sentences, "");
+  if (sentences.empty()) return "No clipper of a chain of cuts was judged beside the originals.";
+  return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 }  // namespace clipscope::experiments::attributes

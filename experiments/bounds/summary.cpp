@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "experiments/contestants/spoken.hpp"
+#include "experiments/table/prose.hpp"
+
 namespace clipscope::experiments::bounds {
 namespace {
 
@@ -19,7 +22,45 @@ Plot bars(Plot plot, const std::vector<Row>& all, const Figure& figure) {
   return plot;
 }
 
-std::string where(const Row& row) { return row.place() + ", " + row.bound; }
+double speedup_of(const Row& row) { return row.speedup->median; }
+
+// What is lost is an error of a bound, and so is an accepted object of which something is cut.
+std::string settled_sentence(const std::vector<Row>& rows) {
+  std::int64_t lost = 0, cut = 0;
+  for (const Row& row : rows) {
+    lost += row.visible_lost;
+    cut += row.accepted_cut;
+  }
+  const auto [least, most] = std::ranges::minmax_element(rows, {}, &Row::settled_percent);
+  std::string text = fmt::format(
+      "Bounding volumes settle up to {:.0f} % of the objects without a look at their triangles, on {}",
+      most->settled_percent(), spoken_set(most->scene));
+  if (least->scene != most->scene) {
+    text += fmt::format(", and as few as {:.0f} % on {}", least->settled_percent(),
+                        spoken_set(least->scene));
+  }
+  return fmt::format("{}. They {}.", text,
+                     lost > 0  ? "are WRONG: something visible is rejected"
+                     : cut > 0 ? "are WRONG: something that a plane cuts is accepted"
+                               : "lose nothing that is visible");
+}
+
+// On which scenes some bound makes clipping faster, and which bound that is.
+std::string time_sentence(const std::vector<Row>& rows) {
+  const std::vector<Row> timed = rows_where(rows, &Row::polygons, kSame);
+  if (timed.empty()) return "";
+  std::vector<std::string> faster, others;
+  for (const std::string& scene : distinct(timed, &Row::scene)) {
+    const std::vector<Row> of_scene = rows_where(timed, &Row::scene, scene);
+    const Row& best = *std::ranges::max_element(of_scene, {}, speedup_of);
+    (best.speedup->low > 1 ? faster : others).push_back(spoken_set(scene));
+  }
+  if (faster.empty()) return " They make clipping faster on no scene.";
+  const Row& best = *std::ranges::max_element(timed, {}, speedup_of);
+  std::string text = fmt::format(" They make clipping faster on {}", listed(faster));
+  if (!others.empty()) text += fmt::format(", but not on {}", listed(others));
+  return fmt::format("{}. The largest gain is that of the {}.", text, best.bound);
+}
 
 }  // namespace
 
@@ -48,28 +89,8 @@ Plot speedup_plot(const std::vector<Row>& rows) {
 }
 
 std::string finding(const std::vector<Row>& rows) {
-  if (rows.empty()) return "";
-  std::int64_t judged = 0, lost = 0, cut = 0;
-  for (const Row& row : rows) {
-    judged += row.judged_triangles;
-    lost += row.visible_lost;
-    cut += row.accepted_cut;
-  }
-  const Row& least = *std::ranges::min_element(rows, {}, &Row::settled_percent);
-  const Row& most = *std::ranges::max_element(rows, {}, &Row::settled_percent);
-  std::string finding = fmt::format(
-      "Bounds settle {:.0f} % ({}) to {:.0f} % ({}) of the objects, and leave up to {:.0f} % of the triangles untouched; of {} exact verdicts {} on rejected objects find something visible, {} on accepted ones something to cut.",
-      least.settled_percent(), where(least), most.settled_percent(), where(most),
-      std::ranges::max(rows, {}, &Row::untouched_percent).untouched_percent, judged, lost, cut);
-  const auto speedup = [](const Row& row) { return row.speedup->median; };
-  const std::vector<Row> timed = rows_where(rows, &Row::polygons, kSame);
-  if (!timed.empty()) {
-    const Row& slowest = *std::ranges::min_element(timed, {}, speedup);
-    const Row& fastest = *std::ranges::max_element(timed, {}, speedup);
-    finding += fmt::format(" Clipping gets {:.2f} times ({}) to {:.2f} times ({}) as fast.",
-                           speedup(slowest), where(slowest), speedup(fastest), where(fastest));
-  }
-  return finding;
+  if (rows.empty()) return "No clipper was asked for.";
+  return settled_sentence(rows) + time_sentence(rows);
 }
 
 }  // namespace clipscope::experiments::bounds

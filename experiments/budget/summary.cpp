@@ -6,6 +6,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
+
+#include "experiments/contestants/spoken.hpp"
+#include "experiments/table/prose.hpp"
 
 namespace clipscope::experiments::budget {
 namespace {
@@ -22,12 +26,32 @@ std::vector<Row> rows_with_budget(std::vector<Row> rows, const std::string& scen
   return rows;
 }
 
-// The part with the largest figure among a clipper's rows, of which the total's is the last.
-std::string largest_part(const std::vector<Row>& rows, double Spread::*figure) {
-  const auto px = [=](const Row& row) { return (*row.px).*figure; };
-  const Row& largest = *std::ranges::max_element(rows.begin(), std::prev(rows.end()), {}, px);
-  return fmt::format("{} ({} of {} px)", name_of(largest.part), format_number(px(largest)),
-                     format_number(px(rows.back())));
+// Of a clipper with a budget: its rows, the total's last.
+using Parts = std::vector<Row>;
+
+const Row& largest_part(const Parts& parts, double Spread::*figure) {
+  return *std::ranges::max_element(parts.begin(), std::prev(parts.end()), {},
+                                   [=](const Row& row) { return (*row.px).*figure; });
+}
+
+std::string spoken_part(Part part) {
+  return part == Part::matrix ? "rounding the matrix" : fmt::format("the {}", name_of(part));
+}
+
+// "the transform for clip space and view space, and the cut for ..."; one part alone is that of
+// every clipper.
+std::string by_part(const std::vector<Parts>& clippers, double Spread::*figure) {
+  std::vector<std::string> texts;
+  for (const Part part : kParts) {
+    std::vector<std::string> names;
+    for (const Parts& parts : clippers) {
+      const bool is_largest = largest_part(parts, figure).part == part;
+      if (is_largest) names.push_back(spoken_clipper(parts[0].clipper));
+    }
+    if (names.size() == clippers.size()) return spoken_part(part) + " for every clipper";
+    if (!names.empty()) texts.push_back(fmt::format("{} for {}", spoken_part(part), listed(names)));
+  }
+  return fmt::format("{}", fmt::join(texts, ", and "));
 }
 
 }  // namespace
@@ -55,20 +79,25 @@ Plot plot(const std::vector<Row>& rows, const std::string& scene, const std::str
 }
 
 std::string finding(const std::vector<Row>& rows) {
-  if (rows.empty()) return "no contestant has a budget: only float and double round.";
+  if (rows.empty()) return "No contestant has a budget: only float and double round.";
   const std::string &scene = rows.front().scene, &scalar = rows.front().scalar;
   const std::vector<Row> shown = rows_with_budget(rows, scene, scalar);
-  std::vector<std::string> clippers;
+  std::vector<Parts> clippers;
   for (const std::string_view clipper : kMainClippers) {
-    const std::vector<Row> parts = rows_where(shown, &Row::clipper, clipper);
-    if (parts.empty()) continue;
-    clippers.push_back(fmt::format("{}: in the median {}, at the most {}", clipper,
-                                   largest_part(parts, &Spread::median),
-                                   largest_part(parts, &Spread::max)));
+    Parts parts = rows_where(shown, &Row::clipper, clipper);
+    if (!parts.empty()) clippers.push_back(std::move(parts));
   }
-  if (clippers.empty()) return fmt::format("no triangle of {} has a budget.", scene);
-  return fmt::format("The largest part on {} in {} is, for {}.", scene, scalar,
-                     fmt::join(clippers, "; "));
+  if (clippers.empty()) return fmt::format("Nothing on {} has a budget.", spoken_set(scene));
+  const auto clip_space = std::ranges::find_if(clippers, [](const Parts& parts) {
+    return parts.front().clipper == "homogeneous/sutherland_hodgman";
+  });
+  const Parts& example = clip_space == clippers.end() ? clippers.front() : *clip_space;
+  const Row& part = largest_part(example, &Spread::median);
+  return fmt::format(
+      "On {} in {} the largest part of the median error comes from {}: with {} it is {} of {} px. The largest part of the greatest error comes from {}.",
+      spoken_set(scene), spoken_scalar(scalar), by_part(clippers, &Spread::median),
+      spoken_clipper(part.clipper), format_number(part.px->median),
+      format_number(example.back().px->median), by_part(clippers, &Spread::max));
 }
 
 }  // namespace clipscope::experiments::budget

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <map>
 
 #include "experiments/machine/machine.hpp"
 
@@ -32,34 +34,62 @@ double fitting_share(const Task& task, double target_ns) {
   const double whole_ns = run(task, task.least_share).ns / task.least_share;
   double share = std::clamp(target_ns / whole_ns, task.least_share, task.most_share);
   if (share > 1) share = std::floor(share);
-  run(task, share);
+  if (share > task.least_share) run(task, share);
   return share;
+}
+
+bool is_at_most_as_inaccurate(const Task& a, const Task& b) {
+  if (!a.inaccuracy) return false;
+  return std::ranges::equal(*a.inaccuracy, *b.inaccuracy, std::less_equal<>());
+}
+
+// Of those in the race, who leaves it: see the header.
+std::vector<std::size_t> out_of_race(std::span<const Task> tasks, std::span<const Timing> timings,
+                                     const std::vector<std::size_t>& racing,
+                                     const ClockOptions& options) {
+  std::map<std::size_t, MedianInterval> ns;
+  for (const std::size_t i : racing) ns[i] = median_interval(timings[i].samples_ns);
+  std::vector<std::size_t> out;
+  std::ranges::copy_if(racing, std::back_inserter(out), [&](std::size_t i) {
+    if (!tasks[i].inaccuracy || i == options.baseline) return false;
+    return std::ranges::any_of(racing, [&](std::size_t rival) {
+      return is_at_most_as_inaccurate(tasks[rival], tasks[i]) &&
+             ns[rival].high * options.far < ns[i].low;
+    });
+  });
+  return out;
 }
 
 }  // namespace
 
 std::vector<Timing> time_in_turn(std::span<const Task> tasks, const ClockOptions& options) {
   std::vector<Timing> timings(tasks.size());
-  std::vector<std::size_t> timed;
+  std::vector<std::size_t> racing;
   std::vector<double> shares(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     timings[i].refused = tasks[i].check();
     if (!timings[i].is_timed()) continue;
     shares[i] = fitting_share(tasks[i], options.milliseconds_per_run * 1e6);
-    timed.push_back(i);
+    racing.push_back(i);
   }
   const PinnedThread pinned;
-  for (int round = 0; round < options.rounds; ++round) {
-    for (std::size_t i = 0; i < timed.size(); ++i) {
-      const std::size_t turn = timed[(i + static_cast<std::size_t>(round)) % timed.size()];
+  for (std::size_t round = 0; round < static_cast<std::size_t>(options.rounds); ++round) {
+    if (round == kLeastRounds) {
+      const std::vector<std::size_t> out = out_of_race(tasks, timings, racing, options);
+      std::erase_if(racing, [&](std::size_t i) { return std::ranges::binary_search(out, i); });
+    }
+    for (std::size_t i = 0; i < racing.size(); ++i) {
+      const std::size_t turn = racing[(i + round) % racing.size()];
       timings[turn].samples_ns.push_back(run(tasks[turn], shares[turn]).ns_per_item());
     }
   }
-  for (const std::size_t i : timed) {
-    timings[i].ns = median_interval(timings[i].samples_ns);
+  for (Timing& timing : timings) {
+    if (!timing.is_timed()) continue;
+    timing.rounds = static_cast<std::int64_t>(timing.samples_ns.size());
+    timing.ns = median_interval(timing.samples_ns);
     if (!options.baseline || !timings[*options.baseline].is_timed()) continue;
-    timings[i].speedup =
-        median_interval(ratios(timings[*options.baseline].samples_ns, timings[i].samples_ns));
+    timing.speedup =
+        median_interval(ratios(timings[*options.baseline].samples_ns, timing.samples_ns));
   }
   return timings;
 }
@@ -67,9 +97,8 @@ std::vector<Timing> time_in_turn(std::span<const Task> tasks, const ClockOptions
 std::vector<double> ratios(std::span<const double> numerators,
                            std::span<const double> denominators) {
   std::vector<double> result;
-  for (std::size_t i = 0; i < numerators.size(); ++i) {
-    result.push_back(numerators[i] / denominators[i]);
-  }
+  const std::size_t rounds = std::min(numerators.size(), denominators.size());
+  for (std::size_t i = 0; i < rounds; ++i) result.push_back(numerators[i] / denominators[i]);
   return result;
 }
 

@@ -9,9 +9,17 @@
 // the baseline's time in that same round, so that a drift of the machine's speed cancels. The
 // thread is pinned to one processor where that is allowed; threads that were started before are
 // not.
+//
+// Time is spent where it decides something. After kLeastRounds rounds, once, a contender that is
+// out of the race leaves it: one that has a rival, at most as inaccurate in every measure, of which
+// the interval times `far` ends below its own. Its figures are of the rounds that it got, ratios of
+// the same rounds of the baseline. Whether it leaves depends on nothing that is looked at again, so
+// that intervals stay honest; kLeastRounds are what a 95 % interval by order statistics needs for
+// not being the whole range of its samples.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -33,7 +41,12 @@ struct Task {
   std::function<void()> prepare = nullptr;
   // The clock chooses the share between these, so that a run takes about as long as it should.
   double least_share = 1, most_share = 1;
+  // Of a contender, measures of how inaccurate its answers are, as many for all; none: as much as
+  // those of others. Who is none, such as a pass over memory, gets all rounds and is no rival.
+  std::optional<std::vector<double>> inaccuracy = {};
 };
+
+inline constexpr std::size_t kLeastRounds = 9;
 
 inline constexpr double kRepeated = std::numeric_limits<double>::infinity();  // as most_share
 
@@ -43,13 +56,15 @@ inline std::string nothing_to_check() { return ""; }
 struct ClockOptions {
   int rounds = 25;
   double milliseconds_per_run = 2.0;      // a task's part of a round
-  std::optional<std::size_t> baseline{};  // the task that ratios refer to
+  std::optional<std::size_t> baseline{};  // the task that ratios refer to; gets all rounds
+  double far = 10;                        // times as slow as a rival: out of the race
 };
 
 struct Timing {
   MedianInterval ns;                      // per item
   std::optional<MedianInterval> speedup;  // the baseline's time over this one's: above 1 is faster
-  std::vector<double> samples_ns;         // one per round
+  std::vector<double> samples_ns;         // one per round that it got
+  std::int64_t rounds = 0;                // as many
   std::string refused;                    // why it was not timed; then the rest is empty
 
   bool is_timed() const { return refused.empty(); }
@@ -60,7 +75,8 @@ struct Timing {
                                 std::string_view speedup_key = "speedup_to_textbook",
                                 std::string_view speedup_head = "x textbook") {
     return std::tuple(interval(key, "ns", head, &Timing::ns),
-                      interval(speedup_key, "speedup", speedup_head, &Timing::speedup));
+                      interval(speedup_key, "speedup", speedup_head, &Timing::speedup),
+                      column("rounds", &Timing::rounds));
   }
 };
 
@@ -72,7 +88,7 @@ inline std::optional<Timing> if_timed(const Timing& timing) {
 // One timing per task, in their order.
 std::vector<Timing> time_in_turn(std::span<const Task> tasks, const ClockOptions& options);
 
-// Sample by sample, one over the other. Pre-condition: as many in both.
+// Round by round, one over the other, of the rounds that both got.
 std::vector<double> ratios(std::span<const double> numerators,
                            std::span<const double> denominators);
 

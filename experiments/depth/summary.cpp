@@ -1,9 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "experiments/depth/rows.hpp"
 
 namespace clipscope::experiments::depth {
+namespace {
+
+constexpr double kRatio = 1e5;  // far over near, of which the finding speaks
+
+// The share of neighbours that a float pipeline does not order in a buffer.
+std::optional<double> lost_percent(const std::vector<PrecisionRow>& precision,
+                                   std::string_view convention, Stored buffer) {
+  using R = PrecisionRow;
+  const R* row = find_row(precision, &R::convention, convention, &R::buffer, buffer, &R::transform,
+                          Arithmetic::in_float, &R::far_near_ratio, kRatio);
+  return row == nullptr ? std::nullopt : std::optional(row->lost_percent());
+}
+
+std::string float_sentence(const std::vector<PrecisionRow>& precision) {
+  const auto reversed = lost_percent(precision, "reversed", Stored::float32);
+  const auto forward = lost_percent(precision, "zero_to_one", Stored::float32);
+  const auto gl = lost_percent(precision, "gl", Stored::float32);
+  if (!reversed || !forward || !gl) return "";
+  return fmt::format(
+      "In a float buffer reversed depth {}: where far over near is a hundred thousand, a float pipeline fails to order {} % of neighbours with it, and up to {} % with the other conventions.",
+      *reversed < std::min(*forward, *gl) ? "is the most precise" : "is not the most precise",
+      format_number(*reversed), format_number(std::max(*forward, *gl)));
+}
+
+std::string fixed_sentence(const std::vector<PrecisionRow>& precision) {
+  const auto reversed = lost_percent(precision, "reversed", Stored::unorm24);
+  const auto forward = lost_percent(precision, "zero_to_one", Stored::unorm24);
+  if (!reversed || !forward) return "";
+  constexpr double kAlike = 1.1;
+  const std::string_view what = *forward > kAlike * *reversed   ? "helps, too"
+                                : *reversed > kAlike * *forward ? "harms"
+                                                                : "changes little";
+  return fmt::format("In 24-bit fixed point reversing {}.", what);
+}
+
+std::string form_sentence(const std::vector<FormRow>& forms) {
+  const auto bends = [&](Form form) -> std::optional<bool> {
+    const FormRow* row =
+        find_row(forms, &FormRow::form, form, &FormRow::property, "lines stay straight");
+    return row == nullptr ? std::nullopt : std::optional(row->max_deviation_ndc > 0);
+  };
+  const auto quadratic = bends(Form::quadratic), linear = bends(Form::linear);
+  if (!quadratic) return "";
+  std::string text = fmt::format("A depth that is linear in distance {} straight edges",
+                                 *quadratic ? "bends" : "does not bend");
+  if (linear) text += fmt::format("; the hyperbolic one {}", *linear ? "bends them" : "does not");
+  return text + ".";
+}
+
+}  // namespace
 
 Plot curve_plot(const std::vector<CurveRow>& curve) {
   Plot plot{
@@ -46,29 +99,11 @@ Plot lost_order_plot(const std::vector<PrecisionRow>& precision) {
 }
 
 std::string finding(const std::vector<PrecisionRow>& precision, const std::vector<FormRow>& forms) {
-  std::vector<std::string> lost;
-  for (const auto& [convention, format] :
-       {std::pair{"reversed", Stored::float32}, std::pair{"zero_to_one", Stored::float32},
-        std::pair{"gl", Stored::float32}, std::pair{"zero_to_one", Stored::unorm24},
-        std::pair{"reversed", Stored::unorm24}}) {
-    const PrecisionRow* row = find_row(precision, &PrecisionRow::convention, convention,
-                                       &PrecisionRow::buffer, format, &PrecisionRow::transform,
-                                       Arithmetic::in_float, &PrecisionRow::far_near_ratio, 1e5);
-    if (row != nullptr) lost.push_back(format_number(row->lost_percent()));
-  }
-  std::string text;
-  if (lost.size() == 5) {
-    text = fmt::format(
-        "At far/near = 1e5 a float pipeline with a float buffer fails to order {} % of neighbours with reversed depth, {} % with [0, 1] and {} % with [-1, 1]; in 24-bit fixed point reversing changes {} % to {} %. ",
-        lost[0], lost[1], lost[2], lost[3], lost[4]);
-  }
-  const FormRow* bent =
-      find_row(forms, &FormRow::form, Form::quadratic, &FormRow::property, "lines stay straight");
-  if (bent == nullptr) return text;
-  return text +
-         fmt::format(
-             "A depth linear in distance bends straight edges by up to {} of its range of 2 (far/near = {:g}); the hyperbolic one by exactly 0.",
-             format_number(bent->max_deviation_ndc), bent->far_near_ratio);
+  std::vector<std::string> sentences = {float_sentence(precision), fixed_sentence(precision),
+                                        form_sentence(forms)};
+  std::erase(sentences, "");
+  if (sentences.empty()) return "No depth was measured.";
+  return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 }  // namespace clipscope::experiments::depth

@@ -6,10 +6,12 @@
 
 #include <algorithm>
 
+#include "experiments/contestants/spoken.hpp"
 #include "experiments/effects/rows.hpp"
 #include "experiments/machine/machine.hpp"
 #include "experiments/machine/progress.hpp"
 #include "experiments/report/experiment.hpp"
+#include "experiments/table/prose.hpp"
 
 namespace clipscope::experiments::effects {
 namespace {
@@ -91,24 +93,52 @@ Plot time_plot(const std::vector<Row>& rows) {
   return plot;
 }
 
-std::string finding(const std::vector<Row>& rows) {
+namespace {
+
+std::string harm_sentence(const std::vector<Row>& rows) {
   Harm all;
   for (const Row& row : rows) all += row.harm;
+  if (all.changed > 0) {
+    return fmt::format("Leaving out what a scene does not call for CHANGES {} of {} polygons.",
+                       all.changed, all.polygons);
+  }
+  return fmt::format(
+      "Leaving out what a scene does not call for changes no polygon, and attributes {}.",
+      all.attribute_error <= PlanSettings{}.tolerance ? "by no more than the tolerance"
+                                                      : "by MORE than the tolerance");
+}
+
+// The share of the full pipeline's time that is saved, on the scenes where that is most and least.
+std::string time_sentence(const std::vector<Row>& timed) {
+  const auto saved = [](const Row& row) { return 100 * (1 - row.times->to_full.median); };
+  const auto [least, most] = std::ranges::minmax_element(timed, {}, saved);
+  std::string text = fmt::format(" It saves {:.0f} % of the full pipeline's time on {}",
+                                 saved(*most), spoken_set(most->scene));
+  if (least == most) return text + ".";
+  const std::string on = spoken_set(least->scene);
+  if (saved(*least) < 0) return fmt::format("{}, and costs time on {}.", text, on);
+  return fmt::format("{}, and {:.0f} % on {}.", text, saved(*least), on);
+}
+
+// Where even transform and divide alone take longer.
+std::string bare_sentence(const std::vector<Row>& timed) {
+  std::vector<std::string> faster;
+  for (const Row& row : timed) {
+    if (row.times->to_bare.high < 1) faster.push_back(spoken_set(row.scene));
+  }
+  if (faster.empty()) return "";
+  return fmt::format(" On {} it is faster than transform and divide alone, of which it needs less.",
+                     listed(faster));
+}
+
+}  // namespace
+
+std::string finding(const std::vector<Row>& rows) {
+  if (rows.empty()) return "No scene was looked at.";
   std::vector<Row> timed = rows;
   std::erase_if(timed, [](const Row& row) { return !row.times; });
-  const std::string text = fmt::format(
-      "Leaving out what a scene does not call for changes {} of {} polygons and attributes by {} at most",
-      all.changed, all.polygons, format_number(all.attribute_error));
-  if (timed.empty()) return text + ".";
-  const auto to_full = [](const Row& row) { return row.times->to_full.median; };
-  const auto to_bare = [](const Row& row) { return row.times->to_bare.median; };
-  const Row& best = *std::ranges::min_element(timed, {}, to_full);
-  const Row& worst = *std::ranges::max_element(timed, {}, to_full);
-  const Row& barest = *std::ranges::min_element(timed, {}, to_bare);
-  return text +
-         fmt::format(
-             "; it takes {:.2f} of the full pipeline's time on {} and {:.2f} on {}, and {:.2f} times that of transform and divide alone on {}.",
-             to_full(best), best.scene, to_full(worst), worst.scene, to_bare(barest), barest.scene);
+  if (timed.empty()) return harm_sentence(rows);
+  return harm_sentence(rows) + time_sentence(timed) + bare_sentence(timed);
 }
 
 extern constinit const Experiment kExperiment{

@@ -39,12 +39,16 @@ void rank(std::span<Entry> entries) {
 std::vector<Entry> hold_contest(std::span<const SampledView> views, const Contestants& contestants,
                                 const ContestClock& clock, Progress& progress) {
   const std::vector<BatchAccuracy> accuracies = judge_batches(views, contestants, progress);
-  const std::vector<Timing> timings =
-      time_contestants(batches_of(views), contestants, find_contestant("textbook", "float"), clock);
   std::vector<Entry> entries;
+  Inaccuracies inaccuracies;
   for (std::size_t i = 0; i < contestants.size(); ++i) {
-    entries.push_back({contestants[i], timings[i], accuracies[i]});
+    const Entry& entry = entries.emplace_back(Entry{contestants[i], {}, accuracies[i]});
+    std::vector<double>& measured = inaccuracies.emplace_back();
+    for (const Measure measure : kMeasures) measured.push_back(entry.error(measure));
   }
+  const std::vector<Timing> timings = time_contestants(
+      batches_of(views), contestants, find_contestant("textbook", "float"), clock, inaccuracies);
+  for (std::size_t i = 0; i < entries.size(); ++i) entries[i].timing = timings[i];
   rank(entries);
   return entries;
 }

@@ -2,7 +2,11 @@
 #include "experiments/guard_band/rows.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "experiments/contestants/spoken.hpp"
+#include "experiments/table/prose.hpp"
 
 namespace clipscope::experiments::guard_band {
 namespace {
@@ -20,6 +24,49 @@ std::vector<Series> series_by_scene(const std::vector<WorkRow>& work, F&& y) {
     series.back().add(*row.band, *value);
   }
   return series;
+}
+
+// On which scenes the band is faster than full clipping, and slower, beyond chance.
+std::string time_sentence(const std::vector<WorkRow>& shown) {
+  std::vector<std::string> faster, slower, same;
+  for (const WorkRow& row : shown) {
+    if (!row.timing || !row.timing->speedup) continue;
+    const MedianInterval& speedup = *row.timing->speedup;
+    (speedup.low > 1 ? faster : speedup.high < 1 ? slower : same).push_back(spoken_set(row.scene));
+  }
+  const std::string band = fmt::format("guard band of {:g} half screens", kShownBand);
+  if (faster.empty() && slower.empty() && same.empty()) {
+    return fmt::format("A {} was not timed.", band);
+  }
+  if (faster.empty()) return fmt::format("A {} makes clipping faster on no scene.", band);
+  std::string text = fmt::format("A {} makes clipping faster on {}", band, listed(faster));
+  if (!slower.empty()) text += fmt::format(", but slower on {}", listed(slower));
+  return text + ".";
+}
+
+// What the rasteriser visits beyond the screen.
+std::string pixels_sentence(const std::vector<WorkRow>& shown) {
+  if (shown.empty()) return "";
+  const WorkRow& most = *std::ranges::max_element(shown, {}, &WorkRow::visited_ratio);
+  if (most.visited_ratio <= 1) return " The rasteriser visits no more pixels.";
+  return fmt::format(" The rasteriser pays for it: on {} it visits {} the pixels.",
+                     spoken_set(most.scene), times_text(most.visited_ratio));
+}
+
+std::string picture_sentence(const std::vector<PictureRow>& pictures) {
+  std::int64_t full = 0, band = 0;
+  for (const PictureRow& row : rows_where(pictures, &PictureRow::vertices, "float")) {
+    const std::int64_t wrong = row.holes_px + row.extra_px;
+    if (row.method == Method::full) full += wrong;
+    if (row.method == Method::band && row.band == kShownBand) band += wrong;
+  }
+  if (pictures.empty()) return "";
+  if (band == 0) return " The pictures cover the same pixels as the exact ones.";
+  return fmt::format(" The pictures cover {} wrong pixels {} those of full clipping.",
+                     band > full   ? "more"
+                     : band < full ? "fewer"
+                                   : "as many",
+                     band == full ? "as" : "than");
 }
 
 }  // namespace
@@ -49,24 +96,9 @@ Plot time_plot(const std::vector<WorkRow>& work) {
 }
 
 std::string finding(const std::vector<WorkRow>& work, const std::vector<PictureRow>& pictures) {
-  std::vector<std::string> scenes;
-  for (const WorkRow& row :
-       rows_where(work, &WorkRow::method, Method::band, &WorkRow::band, kShownBand)) {
-    if (!row.timing || !row.timing->speedup) continue;
-    scenes.push_back(
-        fmt::format("{}: {} % still cut, {} times as fast, {} times the pixels visited", row.scene,
-                    format_number(row.cut_percent.value_or(0)),
-                    format_number(row.timing->speedup->median), format_number(row.visited_ratio)));
-  }
-  std::int64_t full = 0, band = 0;
-  for (const PictureRow& row : rows_where(pictures, &PictureRow::vertices, "float")) {
-    const std::int64_t wrong = row.holes_px + row.extra_px;
-    if (row.method == Method::full) full += wrong;
-    if (row.method == Method::band && row.band == kShownBand) band += wrong;
-  }
-  return fmt::format(
-      "With a guard band of {:g} half screens, against full clipping: {}. Pixels covered otherwise than in the exact pictures: {} with full clipping, {} with the band.",
-      kShownBand, fmt::join(scenes, "; "), full, band);
+  const std::vector<WorkRow> shown =
+      rows_where(work, &WorkRow::method, Method::band, &WorkRow::band, std::optional(kShownBand));
+  return time_sentence(shown) + pixels_sentence(shown) + picture_sentence(pictures);
 }
 
 }  // namespace clipscope::experiments::guard_band

@@ -112,7 +112,7 @@ void judge_all_families(const ExperimentContext& context, const std::vector<std:
   for (const Primitive primitive : kPrimitives) {
     CaseSet set = case_set(primitive, context.selection(), scalars);
     if (set.contestants.empty()) continue;
-    if (context.selection().quick) set.cases = evenly_spaced(set.cases, set.cases.size() / 4 + 1);
+    if (context.selection().quick) set.cases = evenly_spaced(set.cases, set.cases.size() / 16 + 1);
     const std::string name = fmt::format("families of {}s", name_of(primitive));
     context.piece(name, {&families, &policy}, [&](PieceRecord&) {
       Progress progress(name, 2 * set.cases.size());

@@ -78,7 +78,7 @@ std::string exact_text(const std::vector<SummaryRow>& summary) {
   std::ranges::copy_if(exact, std::back_inserter(wrong),
                        [](const SummaryRow& row) { return row.failures > 0; });
   if (wrong.empty()) return " In exact arithmetic none of these clippers gets any wrong.";
-  return fmt::format(" More digits do not mend {}: in exact arithmetic, too, triangles are wrong.",
+  return fmt::format(" More digits do not mend {}, wrong in exact arithmetic, too.",
                      listed(names(wrong.begin(), wrong.end())));
 }
 

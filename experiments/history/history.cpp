@@ -109,7 +109,7 @@ std::vector<Row> in_plane(const Results& results) {
   const auto timed = timed_rows(all, rows);
   const auto hard = rows_if_any<segments::HardRow>(results);
   for (Row& row : rows) {
-    add_times(timed, segments::kPlaneBaseline, row);
+    add_times(timed, usual_method(Field::plane), row);
     const R* out =
         find_row(all, &R::mix, "both_ends_out", &R::clipper, row.clipper, &R::scalar, kFloat);
     if (out != nullptr) row.divisions = out->divisions;
@@ -126,7 +126,7 @@ std::vector<Row> of_segments(const Results& results) {
   const auto operations = rows_if_any<R>(results);
   const auto hard = rows_if_any<segments::HardRow>(results);
   for (Row& row : rows) {
-    add_times(timed, "homogeneous/cohen_sutherland", row);
+    add_times(timed, usual_method(Field::segments), row);
     const R* cut = find_row(operations, &R::mix, "cross_several", &R::clipper, row.clipper);
     if (cut != nullptr) row.divisions = cut->divisions_per_shortened;
     row.hard_right_percent =
@@ -151,7 +151,7 @@ std::vector<Row> of_triangles(const Results& results) {
   const auto operations = rows_if_any<R>(results);
   const auto summary = rows_if_any<hard_cases::SummaryRow>(results);
   for (Row& row : rows) {
-    add_times(timed, "homogeneous/sutherland_hodgman", row);
+    add_times(timed, usual_method(Field::triangles), row);
     double divisions = 0;
     const auto counted = rows_where(operations, &R::clipper, row.clipper);
     for (const R& r : counted) divisions += r.divisions / static_cast<double>(counted.size());
@@ -161,20 +161,15 @@ std::vector<Row> of_triangles(const Results& results) {
   return rows;
 }
 
-std::string field_text(const std::vector<Row>& all, Field field) {
-  std::vector<Row> rows = rows_where(all, &Row::field, field);
-  std::erase_if(rows, [](const Row& row) { return !row.speedup; });
-  if (rows.empty()) return "";
-  const auto faster = std::ranges::count_if(rows, [](const Row& r) { return *r.speedup > 1; });
-  const auto right = std::ranges::count(rows, Figure(100.0), &Row::hard_right_percent);
-  const Row& best =
-      *std::ranges::max_element(rows, {}, [](const Row& row) { return *row.speedup; });
-  return fmt::format(
-      "{}: of {} methods {} are faster than the usual one over all mixes, the fastest is {} ({}, {:.2f} times); {} are right on every hard case in float.",
-      name_of(field), rows.size(), faster, best.clipper, best.year, *best.speedup, right);
-}
-
 }  // namespace
+
+std::string_view usual_method(Field field) {
+  switch (field) {
+    case Field::plane: return segments::kPlaneBaseline;
+    case Field::segments: return "homogeneous/cohen_sutherland";
+    default: return "homogeneous/sutherland_hodgman";
+  }
+}
 
 std::vector<Row> history(const Results& results) {
   std::vector<Row> all;
@@ -206,15 +201,6 @@ Plot history_plot(const std::vector<Row>& rows, Field field) {
   }
   if (!speed.x.empty()) plot.series = {speed, right};
   return plot;
-}
-
-std::string finding(const std::vector<Row>& rows) {
-  std::vector<std::string> sentences;
-  for (const Field field : {Field::plane, Field::segments, Field::triangles}) {
-    const std::string text = field_text(rows, field);
-    if (!text.empty()) sentences.push_back(text);
-  }
-  return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 }  // namespace clipscope::experiments::history

@@ -23,6 +23,8 @@ enum class Field { plane, segments, triangles };
 constexpr std::array<std::string_view, 3> names_of(Field) {
   return {"segments in the plane", "segments", "triangles"};
 }
+// The method that the others of a field are compared with.
+std::string_view usual_method(Field field);
 
 struct Row {
   using Figure = std::optional<double>;
@@ -57,8 +59,8 @@ std::vector<Row> history(const Results& results);
 // was timed.
 Plot history_plot(const std::vector<Row>& rows, Field field);
 
-// How many are faster than the usual method, who is the fastest, and how many are always right.
-// Empty if nobody was timed.
+// In which fields some method is faster than the usual one, whose gain is the largest and what it
+// does to right answers, and who is always right.
 std::string finding(const std::vector<Row>& rows);
 
 }  // namespace clipscope::experiments::history

@@ -7,7 +7,10 @@
 // the two edges instead of cross products. Triangles may be degenerate.
 #pragma once
 
+#include <qd/qd_real.h>
+
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <type_traits>
@@ -93,13 +96,34 @@ N squared_distance_to_polygon(const Lifted<N>& p, const std::vector<Lifted<N>>& 
 }
 
 // The number type that distances between an answer and the truth are computed in: double-double
-// where that is much finer than the answer's scalar, exact rationals for wider scalars.
+// for floats and doubles, quad-double for double-double, each much finer than the answer's scalar,
+// and exact rationals for exact arithmetic.
 
-// The value in N: exactly, or rounded to nearest with an error of some 2^-106.
+inline double nearest_double(const qd_real& x) { return x[0] + x[1]; }
+
+// The nearest double, then the nearest one to what is left, four times: an error of some 2^-212.
+inline qd_real nearest_quad_double(const Exact& x) {
+  qd_real sum(nearest_double(x));
+  if (!std::isfinite(sum[0])) return sum;
+  Exact rest = x - Exact(sum[0]);
+  for (int i = 1; i < 4; ++i) {
+    const double next = nearest_double(rest);
+    sum += next;
+    rest -= Exact(next);
+  }
+  return sum;
+}
+
+// Products of four coordinates neither over- nor underflow in a quad-double, nor do their errors.
+inline bool fits_quad_double(double magnitude) { return magnitude > 1e-50 && magnitude < 1e50; }
+
+// The value in N: exactly, or rounded to nearest with an error of some 2^-106 or 2^-212.
 template <class N>
 N distance_number(const Exact& x) {
   if constexpr (std::same_as<N, Exact>) {
     return x;
+  } else if constexpr (std::same_as<N, qd_real>) {
+    return nearest_quad_double(x);
   } else {
     return nearest_double_double(x);
   }

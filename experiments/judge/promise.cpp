@@ -8,7 +8,9 @@
 #include <limits>
 #include <vector>
 
+#include "experiments/judge/compare.hpp"
 #include "experiments/judge/containment.hpp"
+#include "experiments/judge/cycle.hpp"
 #include "experiments/judge/distance.hpp"
 
 namespace clipscope::experiments {
@@ -332,6 +334,21 @@ Case<N> make_case(const Promise& promise, const PromiseChecker::Setting& s) {
   return c;
 }
 
+// Whether the answer of exact arithmetic is the exact polygon in every number: then all distances
+// are 0, and none need be computed.
+bool is_exact_polygon(const reference::Truth& truth, const PromiseChecker::Setting& s,
+                      const PolygonView& polygon) {
+  const ExactPolygon exact = reference::clip(truth, s.vertices, s.attribute_count);
+  return same_cycle(polygon, exact.vertices, [&](const VertexView& v, const ExactVertex& e) {
+    for (int i = 0; i < 4 + s.attribute_count; ++i) {
+      if (to_exact(v[static_cast<std::size_t>(i)]) != reference::to_rational(coordinate(e, i))) {
+        return false;
+      }
+    }
+    return true;
+  });
+}
+
 }  // namespace
 
 PromiseChecker::PromiseChecker(reference::Truth truth, const MatrixRows<double>& rows,
@@ -447,11 +464,25 @@ PromiseCheck PromiseChecker::check(const Promise& promise, InputVertices vertice
     return {PromiseVerdict::broken, kInfinite,
             "a coordinate of the result is not finite, or 1/w is 0"};
   }
-  // What is found to be broken is computed again in exact rationals, which have the last word.
-  if (!format.is_exact() && format.precision <= kFormat<double>.precision) {
-    const PromiseCheck check = check_distances<dd_real>(promise, s, polygon);
-    if (check.verdict == PromiseVerdict::kept) return check;
+  return check_in_cheapest(promise, s, polygon);
+}
+
+// In the coarsest numbers that are fine enough. What is found to be broken is computed again in
+// exact rationals, which have the last word.
+PromiseCheck PromiseChecker::check_in_cheapest(const Promise& promise, const Setting& s,
+                                               const PolygonView& polygon) const {
+  const Format& format = polygon.format();
+  PromiseCheck rough;
+  rough.verdict = PromiseVerdict::broken;
+  if (format.is_exact()) {
+    const bool as_is = promise.domain != Promise::Domain::all_or_nothing;
+    if (as_is && is_exact_polygon(truth_, s, polygon)) return {};
+  } else if (format.precision <= kFormat<double>.precision) {
+    rough = check_distances<dd_real>(promise, s, polygon);
+  } else if (fits_quad_double(s.magnitude)) {
+    rough = check_distances<qd_real>(promise, s, polygon);
   }
+  if (rough.verdict == PromiseVerdict::kept) return rough;
   return check_distances<Exact>(promise, s, polygon);
 }
 

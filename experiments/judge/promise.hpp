@@ -11,8 +11,9 @@
 //              farther than the tolerance from the clipper's polygon.
 // Whoever promises correct rounding must have all bits right, on every triangle (`misrounded`). A
 // segment is a triangle with its second vertex twice.
-// Distances are computed in double-double for float and double (error far below any tolerance) and
-// in exact rationals for the others. Point to triangle: Ericson, "Real-Time Collision Detection",
+// Distances are computed in double-double for float and double, in quad-double for double-double
+// (error far below any tolerance), in exact rationals for exact arithmetic unless its polygon is
+// the exact one, number by number. Point to triangle: Ericson, "Real-Time Collision Detection",
 // 2005, section 5.1.5, which uses dot products alone and so holds in any dimension.
 #pragma once
 
@@ -71,6 +72,8 @@ class PromiseChecker {
  private:
   bool is_spoken_of(const Promise& promise, const Setting& setting,
                     const PolygonView& polygon) const;
+  PromiseCheck check_in_cheapest(const Promise& promise, const Setting& setting,
+                                 const PolygonView& polygon) const;
   template <class N>
   PromiseCheck check_distances(const Promise& promise, const Setting& setting,
                                const PolygonView& polygon) const;

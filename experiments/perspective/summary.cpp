@@ -2,9 +2,11 @@
 #include "experiments/perspective/rows.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+
+#include "experiments/contestants/spoken.hpp"
+#include "experiments/table/prose.hpp"
 
 namespace clipscope::experiments::perspective {
 namespace {
@@ -35,16 +37,43 @@ std::vector<Series> threshold_lines(const std::vector<ThresholdRow>& thresholds)
   return lines;
 }
 
+std::string bound_sentence(const std::vector<RatioRow>& ratios) {
+  if (ratios.empty()) return "No error without perspective correction was measured.";
+  std::int64_t beyond = 0;
+  for (const RatioRow& row : ratios) beyond += row.beyond;
+  const auto attained = std::ranges::count(ratios, true, &RatioRow::attained);
+  const double share = static_cast<double>(attained) / static_cast<double>(ratios.size());
+  return fmt::format(
+      "The bound of the error without perspective correction {}: it is attained exactly at {} ratios of w that were tried, and passed {}.",
+      beyond > 0   ? "does not hold"
+      : share == 1 ? "is sharp"
+                   : "holds",
+      quantity(share), beyond == 0 ? "nowhere" : "at some points");
+}
+
+// From which ratio on it can be seen, with 1024 texels if that was asked for.
+std::string threshold_sentence(const std::vector<ThresholdRow>& thresholds) {
+  using R = ThresholdRow;
+  const R* row = find_row(thresholds, &R::criterion, "half a texel", &R::texels, 1024);
+  if (row == nullptr) row = find_row(thresholds, &R::criterion, "half a texel");
+  if (row == nullptr) return "";
+  return fmt::format(
+      " In a texture of {} texels it reaches half a texel as soon as w varies by a factor of {:.5g} along an edge.",
+      row->texels, row->ratio);
+}
+
 // The scenes that need it most and least.
 std::string scenes_sentence(const std::vector<SceneRow>& scenes) {
   if (scenes.empty()) return "";
   const auto need = [](const SceneRow& row) { return row.above_1024; };
   const auto [least, most] = std::ranges::minmax_element(scenes, {}, need);
-  const std::string others =
-      least == most ? "" : fmt::format(", and {:.3g} % of {}", need(*least), least->scene);
-  return fmt::format(
-      " With 1024 texels per unit {:.3g} % of the visible triangles of {} are off by more{}.",
-      need(*most), most->scene, others);
+  std::string text =
+      fmt::format(" With such a texture {} visible triangles on {} call for correction",
+                  quantity(need(*most) / 100), spoken_set(most->scene));
+  if (least != most) {
+    text += fmt::format(", and {} on {}", quantity(need(*least) / 100), spoken_set(least->scene));
+  }
+  return text + ".";
 }
 
 std::string cut_sentence(const std::vector<CutRow>& cuts) {
@@ -57,9 +86,9 @@ std::string cut_sentence(const std::vector<CutRow>& cuts) {
   };
   const double naive = largest("cvv/naive"), perspective = largest("cvv/perspective");
   if (naive < 0 || perspective < 0) return "";
-  return fmt::format(
-      " Cutting after the divide carries the same error into new vertices unless it is corrected: up to {:.3g} against {:.2g}.",
-      naive, perspective);
+  return naive > 10 * perspective
+             ? " A cut after the divide carries the same error into new vertices unless it corrects for it."
+             : " A cut after the divide adds no such error to new vertices, corrected or not.";
 }
 
 }  // namespace
@@ -90,18 +119,7 @@ Plot error_plot(const Tables& tables) {
 }
 
 std::string finding(const Tables& tables) {
-  const std::vector<RatioRow> ratios = tables.ratios.rows();
-  std::int64_t beyond = 0;
-  for (const RatioRow& row : ratios) beyond += row.beyond;
-  std::vector<std::string> thresholds;
-  for (const ThresholdRow& row :
-       rows_where(tables.thresholds.rows(), &ThresholdRow::criterion, "half a texel")) {
-    thresholds.push_back(fmt::format("{:.5g} ({} texels)", row.ratio, row.texels));
-  }
-  return fmt::format(
-             "Without perspective correction an attribute is off by up to (sqrt(r) - 1) / (sqrt(r) + 1) of its range, r = w_max/w_min: attained exactly at {} of {} ratios, passed at {} points. Half a texel is passed at r = {}.",
-             rows_where(ratios, &RatioRow::attained, true).size(), ratios.size(), beyond,
-             fmt::join(thresholds, ", ")) +
+  return bound_sentence(tables.ratios.rows()) + threshold_sentence(tables.thresholds.rows()) +
          scenes_sentence(tables.scenes.rows()) + cut_sentence(tables.cuts.rows());
 }
 

@@ -11,9 +11,12 @@
 #include "experiments/render/figure.hpp"
 #include "experiments/report/experiment.hpp"
 #include "experiments/survey/draw_scene.hpp"
+#include "experiments/survey/sweep.hpp"
 
 namespace clipscope::experiments::pictures {
 namespace {
+
+constexpr std::size_t kAtOnce = 8;  // pictures in work at once
 
 std::string file_name(const std::string& scene, std::string_view clipper) {
   std::string name = fmt::format("{}-{}", std::filesystem::path(scene).stem().string(), clipper);
@@ -21,49 +24,46 @@ std::string file_name(const std::string& scene, std::string_view clipper) {
   return name;
 }
 
+struct Drawing {
+  std::string stem;  // of its files
+  Row row;
+};
+
+Drawing draw_one(const ExperimentContext& context, const Scene& scene, const Contestant& contestant,
+                 const FrameBuffer& exact, const PictureSize& size) {
+  const View& view = scene.views.front();
+  const std::string clipper(contestant.clipper), stem = file_name(scene.name, clipper);
+  const FrameBuffer tested = draw_with(contestant, scene, view, size);
+  const HeatMap heat_map = compare(tested, exact);
+  const Figure figure{
+      &tested, &heat_map, {fmt::format("{}, {}", scene.name, view.label), clipper, "float"}, {}};
+  write_image(context.out() / (stem + ".png"), figure);
+  write_image(context.out() / (stem + ".exr"), figure);
+  const HeatMapCounts& counts = heat_map.counts;
+  return {stem,
+          {scene.name, clipper, counts[PixelFate::hole], counts[PixelFate::extra],
+           counts[PixelFate::flipped], counts.max_error, 100.0 * counts.share_above_one}};
+}
+
 void draw(const ExperimentContext& context, const Scene& scene, const PictureSize& size,
           TableOf<Row>& table, PieceRecord& record) {
   const Contestants contestants = select_contestants(context.selection().clipper, {"float"});
-  const View& view = scene.views.front();
-  Progress progress(fmt::format("pictures of {}", scene.name), contestants.size() + 1);
-  const FrameBuffer exact = draw_exact(scene, view, size);
-  progress.advance();
-  for (const Contestant* contestant : contestants) {
-    const std::string clipper(contestant->clipper);
-    const FrameBuffer tested = draw_with(*contestant, scene, view, size);
-    const HeatMap heat_map = compare(tested, exact);
-    const Figure figure{
-        &tested, &heat_map, {fmt::format("{}, {}", scene.name, view.label), clipper, "float"}, {}};
-    const std::string stem = file_name(scene.name, clipper);
-    write_image(context.out() / (stem + ".png"), figure);
-    write_image(context.out() / (stem + ".exr"), figure);
-    record.pictures.push_back(
-        {stem + ".png",
-         fmt::format("{} in float on {}, and its error beside it", clipper, scene.name)});
-    const HeatMapCounts& counts = heat_map.counts;
-    table.add({scene.name, clipper, counts[PixelFate::hole], counts[PixelFate::extra],
-               counts[PixelFate::flipped], counts.max_error, 100.0 * counts.share_above_one});
-    progress.advance();
-  }
-}
-
-std::string finding(const std::vector<Row>& rows, const PictureSize& size) {
-  const auto worst = std::ranges::max_element(rows, {}, &Row::wrong_px);
-  if (worst == rows.end()) return "No clipper was asked for.";
-  const auto right = std::ranges::count(rows, 0, &Row::wrong_px);
-  std::string text = fmt::format("{} of {} pictures show in every pixel the side that is there",
-                                 right, rows.size());
-  if (worst->wrong_px() == 0) return text + ".";
-  return text +
-         fmt::format(
-             "; the worst is {} on {}: {:.0f} % of its pixels are holes, extra or show the wrong side.",
-             worst->clipper, worst->scene,
-             100.0 * static_cast<double>(worst->wrong_px()) / (size.width * size.height));
+  Progress progress(fmt::format("pictures of {}", scene.name), contestants.size());
+  const FrameBuffer exact = draw_exact(scene, scene.views.front(), size);
+  work_in_order(
+      contestants.size(), kAtOnce, progress,
+      [&](std::size_t i) { return draw_one(context, scene, *contestants[i], exact, size); },
+      [&](const Drawing& drawing) {
+        record.pictures.push_back(
+            {drawing.stem + ".png", fmt::format("{} in float on {}, and its error beside it",
+                                                drawing.row.clipper, scene.name)});
+        table.add(drawing.row);
+      });
 }
 
 void run(const ExperimentContext& context) {
   const Selection& selection = context.selection();
-  const PictureSize size = selection.quick ? PictureSize{480, 270} : PictureSize{};
+  const PictureSize size = selection.quick ? PictureSize{320, 180} : PictureSize{};
   TableOf<Row> table(std::string(Row::kName),
                      fmt::format("Pixels of {} x {} pictures, float clippers against exact",
                                  size.width, size.height));
@@ -74,7 +74,8 @@ void run(const ExperimentContext& context) {
   }
   table.add_note(machine_description());
   context.emit(table);
-  context.finding(finding(table.rows(), size));
+  context.finding(finding(table.rows(), static_cast<std::uint64_t>(size.width) *
+                                            static_cast<std::uint64_t>(size.height)));
 }
 
 }  // namespace

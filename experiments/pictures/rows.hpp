@@ -32,4 +32,7 @@ struct Row {
   }
 };
 
+// How many pictures are right in every pixel, and what the worst shows. pixels: of one picture.
+std::string finding(const std::vector<Row>& rows, std::uint64_t pixels);
+
 }  // namespace clipscope::experiments::pictures

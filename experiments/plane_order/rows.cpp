@@ -2,7 +2,6 @@
 #include "experiments/plane_order/rows.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -125,26 +124,6 @@ Plot intersections_plot(const std::vector<ClassRow>& classes) {
           .x = kPlace,
           .y = {.label = "intersections per triangle"},
           .series = by_place(classes, &ClassRow::intersections_per_triangle)};
-}
-
-std::string finding(const OrdersRow& all, const std::vector<TimeRow>& times) {
-  std::string text = fmt::format(
-      "In exact arithmetic the order matters for {} of {} triangles ({} of them with w <= 0 somewhere), and {} are wrong in any order. In float {} % have other bits in some order, moved by up to {} px; wrong are {} % by near first and {} % by near last.",
-      all.exact.differs, all.exact.triangles, all.exact.mixed_w, all.exact.wrong,
-      format_number(all.in_float.differs_percent), format_number(all.in_float.max_px),
-      format_number(percent(all.in_float.wrong_near_first, all.triangles)),
-      format_number(percent(all.in_float.wrong_near_last, all.triangles)));
-  std::vector<std::string> parts;
-  for (const TimeRow& row :
-       rows_where(times, &TimeRow::clipper, HomogeneousNearLast::name, &TimeRow::scalar, "float")) {
-    if (!row.ratio) continue;
-    parts.push_back(fmt::format("{} ({} to {}) on {}", format_number(row.ratio->median),
-                                format_number(row.ratio->low), format_number(row.ratio->high),
-                                row.mix));
-  }
-  if (parts.empty()) return text;
-  return text +
-         fmt::format(" Near last takes {} times as long as near first.", fmt::join(parts, ", "));
 }
 
 }  // namespace clipscope::experiments::plane_order

@@ -76,9 +76,11 @@ Table without(const Table& table, const std::set<std::string>& keys) {
   return fewer;
 }
 
-// The CSV has the clippers' names and the intervals, too.
+// The CSV has the clippers' names and the intervals, too, the plot what each step costs over the
+// one before.
 std::string prices_html(const PageSource& source, const Table& prices) {
-  return source.table(without(prices, {"clipper", "ns_low", "ns_high"}), kAnswers);
+  return source.table(without(prices, {"clipper", "ns_low", "ns_high", "over_last_percent"}),
+                      kAnswers);
 }
 
 std::string line_html(const char* term, const std::string& text) {
@@ -99,9 +101,9 @@ std::string reader_html(const PageSource& source, const RowView& row) {
   const std::string clipper =
       fmt::format("{} <span class=\"name\">{}, {}</span>", row.html("recommended"),
                   row.html("clipper"), row.html("scalar"));
-  const std::string time =
-      fmt::format("{} ns per triangle, {} % over the fastest", row.html("ns_per_triangle"),
-                  row.html("over_fastest_percent"));
+  const std::string over = row.html("over_fastest_percent");
+  const std::string time = fmt::format("{} ns per triangle, {}", row.html("ns_per_triangle"),
+                                       over == "0" ? "the fastest" : over + " % over the fastest");
   return fmt::format("<article>\n<h4>{}</h4>\n<p class=\"needs\">{}</p>\n<dl>\n",
                      row.html("reader"), row.html("needs")) +
          line_html("take", clipper) + line_html("planes", row.html("order")) +

@@ -62,14 +62,22 @@ namespace {
 
 constexpr std::size_t kLongText = 40;  // characters from which a text may break into lines
 
-// The look of a column: numbers, short texts, or texts that may break into lines.
+// The look of a column: numbers, texts that may break into lines, or, empty, short texts.
 std::string class_of(const Table& table, std::size_t column) {
   std::string look = "n";
   for (const auto& row : table.rows()) {
     const auto* text = std::get_if<std::string>(&row[column]);
-    if (text != nullptr && look != "long") look = text->size() > kLongText ? "long" : "short";
+    if (text != nullptr && look != "long") look = text->size() > kLongText ? "long" : "";
   }
   return look;
+}
+
+// What a cell's tag has beside its name; one without a class has nothing, since there are many.
+std::string class_attribute(const std::string& css) {
+  return css.empty() ? "" : fmt::format(" class=\"{}\"", css);
+}
+std::string joined(const std::string& css, const std::string& more) {
+  return css.empty() || more.empty() ? css + more : css + " " + more;
 }
 
 // As JavaScript's Number() reads it.
@@ -86,26 +94,24 @@ std::string text_html(const std::string& text, const std::string& key,
   return fmt::format("<a href=\"#{0}\">{0}</a>", html_escape(text));
 }
 
-// The classes of a cell with a number: aligned as numbers are, in whatever column.
-std::string with_numbers(const std::string& css) {
-  const std::size_t end = css.find(' ');
-  return end == std::string::npos ? "n" : "n" + css.substr(end);
+// A number as people read it, and its value where that is another text.
+std::string number_html(double value, const std::string& look) {
+  const std::string shown = format_number(value), full = script_number(value);
+  return fmt::format("{}{}>{}", class_attribute(joined("n", look)),
+                     shown == full ? "" : fmt::format(" data-v=\"{}\"", full), shown);
 }
 
-// A cell from its attributes on, without its closing tag.
-std::string cell_html(const Cell& cell, const std::string& css, const std::string& key,
-                      const std::set<std::string>& parts) {
+// A cell from its attributes on, without its closing tag. css: of its column; look: its own.
+std::string cell_html(const Cell& cell, const std::string& css, const std::string& look,
+                      const std::string& key, const std::set<std::string>& parts) {
   if (const auto* text = std::get_if<std::string>(&cell)) {
-    return fmt::format(" class=\"{}\">{}", css, text_html(*text, key, parts));
+    return class_attribute(joined(css, look)) + ">" + text_html(*text, key, parts);
   }
   if (const auto* count = std::get_if<std::int64_t>(&cell)) {
-    return fmt::format(" class=\"{1}\" data-v=\"{0}\">{0}", *count, with_numbers(css));
+    return fmt::format("{}>{}", class_attribute(joined("n", look)), *count);
   }
-  if (const auto* number = std::get_if<double>(&cell)) {
-    return fmt::format(" class=\"{}\" data-v=\"{}\">{}", with_numbers(css), script_number(*number),
-                       format_number(*number));
-  }
-  return fmt::format(" class=\"{} nothing\">–", css);
+  if (const auto* number = std::get_if<double>(&cell)) return number_html(*number, look);
+  return class_attribute(joined(css, "nothing")) + ">–";
 }
 
 // The looks of all columns.
@@ -121,9 +127,9 @@ std::string row_html(const Table& table, const std::vector<std::string>& css, st
   std::string html = "<tr>";
   for (std::size_t c = 0; c < row.size(); ++c) {
     const std::string look = setting.look ? setting.look(r, c) : "";
-    const std::string cell = cell_html(row[c], look.empty() ? css[c] : css[c] + " " + look,
-                                       table.columns()[c].key, setting.parts);
-    html += (c == 0 ? "<th scope=\"row\"" : "<td") + cell + (c == 0 ? "</th>" : "</td>");
+    const std::string cell = cell_html(row[c], css[c], look, table.columns()[c].key, setting.parts);
+    const std::string more = setting.more ? setting.more(r, c) : "";
+    html += (c == 0 ? "<th scope=\"row\"" : "<td") + cell + more + (c == 0 ? "</th>" : "</td>");
   }
   return html + "</tr>\n";
 }
@@ -140,9 +146,9 @@ std::string head_html(const Table& table) {
   std::string html = "<thead><tr>";
   for (std::size_t c = 0; c < css.size(); ++c) {
     const Column& column = table.columns()[c];
-    html += fmt::format(
-        "<th scope=\"col\" class=\"{}\" data-key=\"{}\"><button type=\"button\">{}</button></th>",
-        css[c], html_escape(column.key), html_escape(column.head));
+    html +=
+        fmt::format("<th scope=\"col\"{} data-key=\"{}\"><button type=\"button\">{}</button></th>",
+                    class_attribute(css[c]), html_escape(column.key), html_escape(column.head));
   }
   return html + "</tr></thead>\n";
 }
@@ -186,6 +192,15 @@ std::string table_html(const Table& table, const TableSetting& setting) {
     html += fmt::format("<p class=\"note\"><a href=\"{0}\">{0}</a></p>\n", setting.csv);
   }
   return html + "</div>\n";
+}
+
+std::string plain_table_html(const Table& table) {
+  std::string html = "<table>\n<thead><tr>";
+  for (const Column& column : table.columns()) {
+    html += fmt::format("<th scope=\"col\">{}</th>", html_escape(column.head));
+  }
+  return html + "</tr></thead>\n<tbody>\n" + rows_html(table, table.rows().size(), {}) +
+         "</tbody></table>\n";
 }
 
 std::string rows_script(const Table& table, const TableSetting& setting) {

@@ -37,16 +37,22 @@ struct TableSetting {
   std::string css = {};  // one more class of the whole
   // One more class of a cell, by its row and column; nothing: none has one.
   std::function<std::string(std::size_t, std::size_t)> look = {};
+  // HTML that follows a cell's text, by its row and column; nothing: none has any.
+  std::function<std::string(std::size_t, std::size_t)> more = {};
 };
 
 // Tables of more rows have all but the first few in a script.
 inline constexpr std::size_t kRowsInPage = 50, kFirstRows = 20;
 
 // A table with the title, the rows, the notes, and the tools that the page's script brings to life.
-// Numbers are shown as people read them and carry their full value in data-v. The cells of a column
+// Numbers are shown as people read them, and carry their full value in data-v where that is another
+// text. The cells of a column
 // with the key "verdict" are coloured by what they say; those of "experiment" lead to the part of
 // the page with that id, if there is one.
 std::string table_html(const Table& table, const TableSetting& setting = {});
+
+// Head and rows alone, as they are.
+std::string plain_table_html(const Table& table);
 
 // The script with all rows of a table, for the page's own to call in.
 std::string rows_script(const Table& table, const TableSetting& setting = {});

@@ -15,7 +15,8 @@
 
 namespace clipscope::experiments {
 
-inline constexpr const char* kAnswers = "answers";  // the experiment, and its table
+// Experiments whose tables the page knows, and their main tables.
+inline constexpr const char *kAnswers = "answers", *kClaims = "claims";
 
 class PageSource {
  public:
@@ -49,5 +50,12 @@ class PageSource {
 // The first screen: the run's answers, each with its evidence. Nothing, where the run was not asked
 // for them. See experiments/answers.
 std::string answers_html(const PageSource& source);
+
+// How many claims got which verdict.
+std::string tally_html(const Table& claims);
+
+// The table of claims; the figures that decide one, if the run has them, fold out beneath its
+// reason.
+std::string claims_html(const PageSource& source, const Table& claims);
 
 }  // namespace clipscope::experiments

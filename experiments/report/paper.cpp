@@ -9,16 +9,18 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <set>
+#include <optional>
+#include <regex>
 
 #include "experiments/machine/errors.hpp"
 #include "experiments/machine/files.hpp"
+#include "experiments/report/paper_rows.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;  // columns stay in the order given
+using Json = PaperEntry;
 
 Json read_contents(const fs::path& path) {
   std::ifstream file(path);
@@ -30,66 +32,20 @@ Json read_contents(const fs::path& path) {
   }
 }
 
-// The texts that an entry's rows have, by their columns.
-Json row_key(const Json& entry) { return entry.value("where", Json::object()); }
-
-// The tables of a run, by the names and keys that the contents have for them; each is read once.
-class RunTables {
- public:
-  explicit RunTables(const ResultsStore& store) : store_(store) {}
-
-  // The rows that have the key's texts, each with its cells in the order of `columns`. Errors:
-  // MissingFigure, where there is no such table or column.
-  std::vector<std::vector<Cell>> rows(const std::string& name,
-                                      const std::vector<std::string>& columns,
-                                      const Json& key = Json::object()) const {
-    const Table& source = table(name);
-    std::vector<std::vector<Cell>> rows;
-    for (const std::vector<Cell>& row : source.rows()) {
-      bool matches = true;
-      for (const auto& [column, text] : key.items()) {
-        matches = matches && full_text(row[place_of(source, column)]) == text.get<std::string>();
-      }
-      if (!matches) continue;
-      std::vector<Cell>& cells = rows.emplace_back();
-      for (const std::string& column : columns) cells.push_back(row[place_of(source, column)]);
-    }
-    return rows;
-  }
-  // The numbers and counts in a column of these rows.
-  std::vector<double> numbers(const std::string& name, const std::string& column,
-                              const Json& key) const {
-    std::vector<double> numbers;
-    for (const std::vector<Cell>& row : rows(name, {column}, key)) {
-      if (const auto number = number_of(row[0])) numbers.push_back(*number);
-    }
-    if (!numbers.empty()) return numbers;
-    throw MissingFigure(fmt::format("table {} has no figure {} in such a row", name, column));
-  }
-  // The distinct texts in a column of these rows, in order of appearance.
-  std::vector<std::string> texts(const std::string& name, const std::string& column,
-                                 const Json& key) const {
-    std::vector<std::string> texts;
-    for (const std::vector<Cell>& row : rows(name, {column}, key)) {
-      const std::string text = full_text(row[0]);
-      if (std::ranges::count(texts, text) == 0) texts.push_back(text);
-    }
-    return texts;
-  }
-
- private:
-  const Table& table(const std::string& name) const {
-    const auto known = tables_.find(name);
-    if (known != tables_.end()) return known->second;
-    if (!store_.has_table(name)) {
-      throw MissingFigure(fmt::format("table {} is not among the results", name));
-    }
-    return tables_.emplace(name, store_.table(name)).first->second;
-  }
-
-  const ResultsStore& store_;
-  mutable std::map<std::string, Table> tables_;
-};
+// The text escaped and set: powers of ten, comparisons and percentages as in print; lines may break
+// within names such as homogeneous/sutherland_hodgman.
+std::string latex_prose(const std::string& text) {
+  static const std::regex one(R"((^|[\s(])1e\+?(-?)0*(\d+))"),
+      number(R"((^|[\s(])(\d+(?:\.\d+)?)e\+?(-?)0*(\d+))"), less(R"(\\textless\{\}=)"),
+      greater(R"(\\textgreater\{\}=)"), percent(R"( \\%)"), within(R"((/|\\_))");
+  std::string prose = latex_escape(text);
+  prose = std::regex_replace(prose, one, "$1$$10^{$2$3}$$");
+  prose = std::regex_replace(prose, number, "$1$$$2\\cdot10^{$3$4}$$");
+  prose = std::regex_replace(prose, less, "$$\\le$$");
+  prose = std::regex_replace(prose, greater, "$$\\ge$$");
+  prose = std::regex_replace(prose, percent, "\\,\\%");
+  return std::regex_replace(prose, within, "$1\\allowbreak{}");
+}
 
 double taken(const std::vector<double>& numbers, const std::string& how) {
   if (how == "first") return numbers.front();
@@ -100,20 +56,68 @@ double taken(const std::vector<double>& numbers, const std::string& how) {
   throw InputError(fmt::format("\"take\" is {}; expected first, min, max, sum or count", how));
 }
 
-std::string value_text(const RunTables& run, const Json& entry) {
-  const auto table = entry.at("table").get<std::string>();
-  const auto numbers = run.numbers(table, entry.at("column").get<std::string>(), row_key(entry));
-  const double value = taken(numbers, entry.value("take", "first"));
-  const std::string format = entry.value("format", "");
-  if (format.empty()) return latex_number(value);
-  return fmt::format(fmt::runtime("{:" + format + "}"), value);
+double number_of_entry(const PaperRows& run, const Json& entry) {
+  return taken(run.numbers(entry, entry.at("column").get<std::string>()),
+               entry.value("take", "first"));
 }
 
-// A macro that takes a key: \name{key}.
+// The entry's number, or what it is of that of "over".
+double figure_of(const PaperRows& run, const Json& entry) {
+  const double number = number_of_entry(run, entry);
+  if (!entry.contains("over")) return number;
+  Json other = entry;
+  other.update(entry.at("over"));
+  const double divisor = number_of_entry(run, other);
+  if (divisor == 0) throw MissingFigure("the figure of \"over\" is 0");
+  const std::string as = entry.value("as", "ratio");
+  if (as == "ratio") return number / divisor;
+  if (as == "percent") return 100 * number / divisor;
+  if (as == "percent more") return 100 * (number / divisor - 1);
+  throw InputError(fmt::format("\"as\" is {}; expected ratio, percent or percent more", as));
+}
+
+// The first phrase whose bound the figure is below, the number put in for {}.
+std::string phrase_for(const Json& phrases, double figure, const std::string& number) {
+  for (const Json& phrase : phrases) {
+    if (phrase.contains("below") && !(figure < phrase.at("below").get<double>())) continue;
+    std::string text = phrase.at("text").get<std::string>();
+    if (const auto place = text.find("{}"); place != std::string::npos) {
+      text.replace(place, 2, number);
+    }
+    return text;
+  }
+  throw InputError(fmt::format("\"say\" has no phrase for {}", figure));
+}
+
+// The text in the entry's first row; none where that is a number, or one is made of several rows.
+std::optional<std::string> text_of_entry(const PaperRows& run, const Json& entry) {
+  if (entry.value("take", "first") != "first") return std::nullopt;
+  const auto rows = run.cells(entry, {entry.at("column").get<std::string>()});
+  if (rows.empty()) return std::nullopt;
+  const auto* text = std::get_if<std::string>(&rows.front().front());
+  return text == nullptr ? std::nullopt : std::optional(*text);
+}
+
+std::string value_text(const PaperRows& run, const Json& entry) {
+  if (const auto text = text_of_entry(run, entry)) {
+    return latex_prose(run.name_of(entry.at("column").get<std::string>(), *text));
+  }
+  const double figure = figure_of(run, entry);
+  const std::string format = entry.value("format", "");
+  const std::string number = format.empty()
+                                 ? latex_number(figure)
+                                 : fmt::format(fmt::runtime("{:" + format + "}"), figure);
+  return entry.contains("say") ? phrase_for(entry.at("say"), figure, number) : number;
+}
+
+// A macro that takes a key: \name{key}. A key that is not there is an error.
 class KeyedMacro {
  public:
   explicit KeyedMacro(std::string name) : name_(std::move(name)) {
-    text_ = fmt::format("\\newcommand{{\\{0}}}[1]{{\\csname {0}-#1\\endcsname}}\n", name_);
+    const std::string known = fmt::format("\\csname {}-#1\\endcsname", name_);
+    text_ = fmt::format(
+        "\\newcommand{{\\{0}}}[1]{{\\if{1}\\{1}\\else\\errmessage{{no {0} of #1}}\\fi}}\n", name_,
+        known.substr(1));
   }
   void define(const std::string& key, const std::string& value) {
     text_ += fmt::format("\\expandafter\\def\\csname {}-{}\\endcsname{{{}}}\n", name_, key, value);
@@ -129,8 +133,8 @@ std::string run_macros(const ResultsStore& store) {
   double seconds = 0;
   for (const auto& [key, value] : store.run_info()) run.define(key, latex_escape(value));
   for (const StoredExperiment& e : store.experiments()) {
-    question.define(e.name, latex_escape(e.question));
-    finding.define(e.name, latex_escape(e.finding));
+    question.define(e.name, latex_prose(e.question));
+    finding.define(e.name, latex_prose(e.finding));
     command.define(e.name, latex_escape(e.command));
     seconds += e.seconds;
   }
@@ -138,13 +142,14 @@ std::string run_macros(const ResultsStore& store) {
   return run.text() + question.text() + finding.text() + command.text();
 }
 
-std::string claim_macros(const RunTables& run) {
+std::string claim_macros(const PaperRows& run) {
   KeyedMacro verdict("claimverdict"), because("claimbecause");
   std::map<std::string, int> counts;
-  for (const auto& row : run.rows("claims", {"number", "verdict", "because"})) {
+  const Json claims = Json::object({{"table", "claims"}});
+  for (const auto& row : run.cells(claims, {"number", "verdict", "because"})) {
     const std::string number = format_cell(row[0]), text = format_cell(row[1]);
     verdict.define(number, latex_escape(text));
-    because.define(number, latex_escape(format_cell(row[2])));
+    because.define(number, latex_prose(format_cell(row[2])));
     ++counts[text];
   }
   KeyedMacro count("claimcount");
@@ -170,23 +175,25 @@ struct LatexTable {
   }
 };
 
-std::string latex_cell(const Cell& cell) {
+std::string latex_cell(const PaperRows& run, const std::string& column, const Cell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return latex_number(*number);
   if (std::holds_alternative<std::monostate>(cell)) return "--";
-  return latex_escape(format_cell(cell));
+  return latex_prose(run.name_of(column, format_cell(cell)));
 }
 
-LatexTable plain_table(const RunTables& run, const Json& entry) {
+LatexTable plain_table(const PaperRows& run, const Json& entry) {
   LatexTable table;
   std::vector<std::string> columns;
   for (const auto& [key, head] : entry.at("columns").items()) {
     columns.push_back(key);
     table.heads.push_back(head.get<std::string>());
   }
-  const auto rows = run.rows(entry.at("table").get<std::string>(), columns, row_key(entry));
+  const auto rows = run.cells(entry, columns);
   for (const auto& row : rows) {
     auto& cells = table.rows.emplace_back();
-    std::transform(row.begin(), row.end(), std::back_inserter(cells), latex_cell);
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      cells.push_back(latex_cell(run, columns[c], row[c]));
+    }
   }
   // Left for columns that hold a text, right for numbers.
   for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -198,29 +205,31 @@ LatexTable plain_table(const RunTables& run, const Json& entry) {
   return table;
 }
 
-LatexTable pivot_table(const RunTables& run, const Json& entry) {
+LatexTable pivot_table(const PaperRows& run, const Json& entry) {
   const Json& pivot = entry.at("pivot");
-  const auto name = entry.at("table").get<std::string>();
   const auto row_column = pivot.at("rows").get<std::string>();
   const auto column_column = pivot.at("columns").get<std::string>();
   const auto value_column = pivot.at("value").get<std::string>();
-  const std::vector<std::string> across = run.texts(name, column_column, row_key(entry));
+  const std::vector<std::string> across = run.texts(entry, column_column);
   LatexTable table{{pivot.value("head", "")}, {}, "l" + std::string(across.size(), 'r')};
-  for (const std::string& text : across) table.heads.push_back(latex_escape(text));
-  for (const std::string& text : run.texts(name, row_column, row_key(entry))) {
-    auto& cells = table.rows.emplace_back(1, latex_escape(text));
+  for (const std::string& text : across) {
+    table.heads.push_back(latex_cell(run, column_column, text));
+  }
+  for (const std::string& text : run.texts(entry, row_column)) {
+    auto& cells = table.rows.emplace_back(1, latex_cell(run, row_column, text));
     for (const std::string& other : across) {
-      Json key = row_key(entry);
-      key[row_column] = text;
-      key[column_column] = other;
-      const auto found = run.rows(name, {value_column}, key);
-      cells.push_back(found.empty() ? "--" : latex_cell(found.front().front()));
+      Json one = {{"table", entry.at("table")}, {"where", entry.value("where", Json::object())}};
+      one["where"][row_column] = text;
+      one["where"][column_column] = other;
+      const auto found = run.cells(one, {value_column});
+      cells.push_back(
+          latex_cell(run, value_column, found.empty() ? Cell() : found.front().front()));
     }
   }
   return table;
 }
 
-std::string table_text(const RunTables& run, const Json& entry) {
+std::string table_text(const PaperRows& run, const Json& entry) {
   LatexTable table = entry.contains("pivot") ? pivot_table(run, entry) : plain_table(run, entry);
   if (table.rows.empty()) throw InputError("no row matches");
   table.align = entry.value("align", table.align);
@@ -274,7 +283,7 @@ void for_each_entry(const Json& contents, const fs::path& path, const char* list
 void write_paper_inputs(const ResultsStore& store, const std::filesystem::path& path,
                         const std::filesystem::path& out) {
   const Json contents = read_contents(path);
-  const RunTables run(store);
+  const PaperRows run(store, contents.value("names", Json::object()));
   std::string values = run_macros(store) + claim_macros(run);
   for_each_entry(contents, path, "values", [&](const Json& entry) {
     values += fmt::format("\\newcommand{{\\{}}}{{{}}}\n", entry.at("name").get<std::string>(),

@@ -23,8 +23,6 @@ constexpr std::size_t kFewPictures = 12;  // more are shown folded
 constexpr const char* kShown[] = {"machine", "compiler", "flags",   "version",
                                   "commit",  "seed",     "started", "command"};
 
-constexpr const char* kClaims = "claims";
-
 // What a page may load that has files beside it (CSP level 3, 2.3.1), from a disk or a server.
 constexpr const char* kBeside = "'self' file:";
 
@@ -56,22 +54,6 @@ std::string finding_html(const StoredExperiment& experiment) {
   if (experiment.finding.empty()) return "<p class=\"missing\">This run left no finding.</p>\n";
   return fmt::format("<p class=\"finding\"><b>Finding</b>{}</p>\n",
                      html_escape(experiment.finding));
-}
-
-// How many claims got which verdict.
-std::string tally_html(const Table& claims) {
-  std::map<std::string, int> counts;
-  std::vector<std::string> order = {"confirmed", "true only when", "refuted", "undecided"};
-  for (const auto& row : claims.rows()) ++counts[format_cell(row[place_of(claims, "verdict")])];
-  for (const auto& [verdict, count] : counts) {
-    if (std::ranges::find(order, verdict) == order.end()) order.push_back(verdict);
-  }
-  std::string html;
-  for (const std::string& verdict : order) {
-    if (counts[verdict] == 0) continue;
-    html += fmt::format("<li>{} {}</li>", counts[verdict], verdict_html(verdict));
-  }
-  return html.empty() ? "" : "<ul class=\"tally\">" + html + "</ul>\n";
 }
 
 Table worst_inputs_table(const std::string& experiment, const std::vector<WorstInput>& inputs) {
@@ -107,8 +89,10 @@ std::string section_html(const PageSource& source, const StoredExperiment& exper
     if (stored.experiment != name) continue;
     const Table table = source.store().table(stored.name);
     // The table that answers the question is called by the experiment's name.
-    (stored.name == name ? main_table : tables) += source.table(table, name);
-    if (stored.name == name && name == kClaims) tally = tally_html(table);
+    const bool is_claims = stored.name == kClaims;
+    (stored.name == name ? main_table : tables) +=
+        is_claims ? claims_html(source, table) : source.table(table, name);
+    if (is_claims) tally = tally_html(table);
   }
   html += tally + finding_html(experiment) + plots + main_table + tables;
   html += album_html(pictures, count);
@@ -189,7 +173,7 @@ ReportPage report_page(const ResultsStore& store, const std::filesystem::path& d
   const std::string answers = answers_html(source);
   Experiments experiments = store.experiments();
   if (!answers.empty()) std::erase_if(experiments, is_called(kAnswers));
-  std::ranges::stable_partition(experiments, is_called(kClaims));
+  std::stable_partition(experiments.begin(), experiments.end(), is_called(kClaims));
   std::string body = contents_html(experiments, !answers.empty()) + header_html(run) +
                      "<main id=\"content\">\n" + answers + "<details" +
                      (answers.empty() ? " open" : "") + "><summary>The run</summary>\n" +

@@ -17,7 +17,7 @@ constexpr std::size_t kFewFiles = 4;  // more are told by their number
 
 constexpr const char* kIntroduction = R"(# Results of a run of clipscope
 
-{6}- [{0}]({0}) shows everything on one page.
+{7}- [{0}]({0}) shows everything on one page.
 - Each experiment has a folder: every table as Markdown, CSV and LaTeX, every plot as SVG, PDF and PNG, pictures as PNG, and some as EXR.
 - [{1}]({1}) has all tables, findings and samples: `clipscope table --run .` lists the tables, `clipscope table NAME --run .` prints one.
 

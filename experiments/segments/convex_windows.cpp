@@ -9,6 +9,7 @@
 #include <span>
 
 #include "experiments/contestants/scalars.hpp"
+#include "experiments/contestants/spoken.hpp"
 #include "experiments/scenes/random.hpp"
 #include "spaces/window/convex_clippers.hpp"
 
@@ -286,12 +287,15 @@ std::string convex_finding(const std::vector<ConvexRow>& rows) {
   if (shown.empty()) return "";
   const auto [fewest, most] = std::ranges::minmax(shown, {}, &ConvexRow::edges);
   const auto best = [&](std::int64_t edges) {
-    const std::vector<ConvexRow> of_window = rows_where(shown, &ConvexRow::edges, edges);
-    const ConvexRow& row = fastest(of_window);
-    return fmt::format("of {} edges {} ({:.3g} times as fast as Cyrus-Beck)", edges, row.method,
-                       row.timing->speedup ? row.timing->speedup->median : 0.0);
+    return spoken_clipper(fastest(rows_where(shown, &ConvexRow::edges, edges)).method);
   };
-  return fmt::format("Fastest in a convex window {}, {}.", best(fewest.edges), best(most.edges));
+  const std::string with_few = best(fewest.edges), with_many = best(most.edges);
+  if (with_few == with_many) {
+    return fmt::format(" In a convex window {} is the fastest, however many edges it has.",
+                       with_few);
+  }
+  return fmt::format(" In a convex window {} is the fastest with few edges and {} with many.",
+                     with_few, with_many);
 }
 
 }  // namespace clipscope::experiments::segments

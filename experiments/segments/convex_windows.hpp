@@ -71,7 +71,8 @@ std::vector<ConvexRow> measure_convex(const ConvexCase& input, std::size_t judge
 // Time per segment by edges, a line for each method. Without series if nothing was timed.
 Plot convex_plot(const std::vector<ConvexRow>& rows);
 
-// The fastest method of the smallest window and of the largest; empty if nothing was timed.
+// The fastest method of the smallest and the largest window, behind a blank; empty if nothing was
+// timed.
 std::string convex_finding(const std::vector<ConvexRow>& rows);
 
 }  // namespace clipscope::experiments::segments

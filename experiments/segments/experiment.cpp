@@ -188,9 +188,8 @@ void run(const ExperimentContext& context) {
                            frontier_plot(frontier.rows())}) {
     if (!plot.series.empty()) context.emit(plot);
   }
-  context.finding(fmt::format("{} {} {}",
-                              finding(times.rows(), operations.rows(), intersections.rows()),
-                              frontier_finding(frontier.rows()), run_convex(context)));
+  context.finding(finding(times.rows(), operations.rows()) + frontier_finding(frontier.rows()) +
+                  run_convex(context));
 }
 
 }  // namespace

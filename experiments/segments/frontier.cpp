@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "experiments/contestants/spoken.hpp"
 #include "experiments/segments/literature.hpp"
 #include "experiments/table/means.hpp"
+#include "experiments/table/prose.hpp"
 
 namespace clipscope::experiments::segments {
 namespace {
@@ -109,10 +111,17 @@ std::string frontier_finding(const std::vector<SegmentFrontierRow>& rows) {
   if (on.empty()) return "";
   const SegmentFrontierRow& best =
       *std::ranges::min_element(on, {}, &SegmentFrontierRow::hard_wrong_percent);
-  return fmt::format(
-      "From view space to NDC {} of {} contestants are on the frontier of time and wrong answers on hard sets, from {} ({:.3g} % wrong) to {} ({:.3g} %).",
-      on.size(), rows.size(), contestant_name(on.front()), on.front().hard_wrong_percent,
-      contestant_name(best), best.hard_wrong_percent);
+  const auto name = [](const SegmentFrontierRow& row) {
+    return spoken_contestant(row.clipper, row.scalar);
+  };
+  const std::string right = best.hard_wrong_percent == 0 ? "always right" : "least often wrong";
+  const std::string fastest = capitalised(name(on.front()));
+  if (name(best) == name(on.front())) {
+    return fmt::format(" {} is both the fastest from view space on and {} on hard segments.",
+                       fastest, right);
+  }
+  return fmt::format(" From view space on {} is the fastest and {} {} on hard segments.",
+                     name(on.front()), name(best), right);
 }
 
 }  // namespace clipscope::experiments::segments

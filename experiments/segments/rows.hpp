@@ -130,8 +130,8 @@ Plot time_plot(const std::vector<TimeRow>& times);
 // Divisions that cut, per segment by mix. Without series if there is no row.
 Plot divisions_plot(const std::vector<OperationsRow>& operations);
 
-// Says what there are rows for.
-std::string finding(const std::vector<TimeRow>& times, const std::vector<OperationsRow>& operations,
-                    const std::vector<IntersectionRow>& intersections);
+// Who is the fastest on most mixes, and what Cohen-Sutherland saves and wastes.
+std::string finding(const std::vector<TimeRow>& times,
+                    const std::vector<OperationsRow>& operations);
 
 }  // namespace clipscope::experiments::segments

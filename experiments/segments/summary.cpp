@@ -2,12 +2,13 @@
 #include "experiments/segments/rows.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
-#include <utility>
+
+#include "experiments/contestants/spoken.hpp"
+#include "experiments/table/prose.hpp"
 
 namespace clipscope::experiments::segments {
 namespace {
@@ -43,46 +44,39 @@ std::vector<TimeRow> timed_in(std::vector<TimeRow> times, const std::string& sca
 
 double ns_of(const TimeRow& row) { return row.timing->ns.median; }
 
-// "homogeneous/cohen_sutherland on 5, ...", by how often a clipper is the fastest, in `scalar`.
+// The clipper that is the fastest on the most mixes, in `scalar`.
 std::string fastest_text(const std::vector<TimeRow>& times, const std::string& scalar) {
   const std::vector<TimeRow> timed = timed_in(times, scalar);
   const std::vector<std::string> mixes = distinct(timed, &TimeRow::mix);
-  std::map<std::string, int> wins;
+  if (mixes.empty()) return "No line clipper was timed.";
+  std::map<std::string, std::int64_t> wins;
   for (const std::string& mix : mixes) {
     const std::vector<TimeRow> rows = rows_where(timed, &TimeRow::mix, mix);
     ++wins[std::ranges::min_element(rows, {}, ns_of)->clipper];
   }
-  std::vector<std::pair<int, std::string>> order;
-  for (const auto& [clipper, count] : wins) order.emplace_back(-count, clipper);
-  std::ranges::sort(order);
-  std::vector<std::string> parts;
-  for (const auto& [count, clipper] : order) {
-    parts.push_back(fmt::format("{} on {}", clipper, -count));
-  }
-  return fmt::format("Fastest in {}, of {} mixes: {}.", scalar, mixes.size(),
-                     fmt::join(parts, ", "));
+  const auto best = std::ranges::max_element(wins, {}, [](const auto& win) { return win.second; });
+  return fmt::format("{} is the fastest line clipper in {} on {}.",
+                     capitalised(spoken_clipper(best->first)), spoken_scalar(scalar),
+                     some_of(best->second, static_cast<std::int64_t>(mixes.size()), "mixes"));
 }
 
-// Who is wrong if that is few, else how far off they are.
-std::string wrong_text(const std::vector<TimeRow>& times, const std::string& scalar) {
-  const std::vector<TimeRow> rows = rows_where(times, &TimeRow::scalar, scalar);
-  std::map<std::string, std::int64_t> wrong;  // by clipper
-  for (const TimeRow& row : rows) {
-    if (row.wrong > 0) wrong[row.clipper] += row.wrong;
-  }
-  constexpr std::size_t kFew = 2;
-  if (wrong.size() > kFew) {
-    const TimeRow& worst = *std::ranges::max_element(rows, {}, &TimeRow::max_px);
-    return fmt::format("In {} errors reach {:.3g} px ({} on {}).", scalar, worst.max_px,
-                       worst.clipper, worst.mix);
-  }
-  std::vector<std::string> names;
-  for (const auto& [clipper, count] : wrong) {
-    names.push_back(fmt::format("{} with {} segments", clipper, count));
-  }
-  return fmt::format("Wrong in {}: {} of {} clippers{}.", scalar, wrong.size(),
-                     distinct(rows, &TimeRow::clipper).size(),
-                     names.empty() ? "" : fmt::format(" ({})", fmt::join(names, ", ")));
+// What Cohen-Sutherland saves by its outcodes and wastes by cutting plane after plane.
+std::string intersections_text(const std::vector<OperationsRow>& operations) {
+  using R = OperationsRow;
+  const auto figure = [&](const char* mix, const char* clipper, R::Figure R::*member) {
+    const R* row = find_row(operations, &R::mix, mix, &R::clipper, clipper);
+    return row == nullptr ? std::nullopt : row->*member;
+  };
+  const auto free = figure("window_1_64", kCohenSutherland, &R::rejected_free_percent);
+  const auto repeated = figure("cross_several", kCohenSutherland, &R::divisions_per_shortened);
+  const auto moved = figure("cross_several", kCohenSutherland, &R::moved_ends_per_shortened);
+  const auto once = figure("cross_several", kProducts, &R::divisions_per_shortened);
+  if (!free || !repeated || !moved || !once) return "";
+  constexpr double kNoticeable = 1.01;
+  const bool repeats = *repeated > kNoticeable * *moved, too = *once > kNoticeable * *moved;
+  return fmt::format(
+      " Cohen-Sutherland rejects {} invisible lines without an intersection where the window is small; where several planes cut, it computes {} intersections than it moves ends, {} Liang-Barsky by products.",
+      quantity(*free / 100), repeats ? "more" : "no more", repeats == too ? "like" : "unlike");
 }
 
 }  // namespace
@@ -108,42 +102,10 @@ Plot divisions_plot(const std::vector<OperationsRow>& operations) {
       operations, &OperationsRow::cut_divisions);
 }
 
-std::string finding(const std::vector<TimeRow>& times, const std::vector<OperationsRow>& operations,
-                    const std::vector<IntersectionRow>& intersections) {
-  using R = OperationsRow;
-  const auto figure = [&](const char* mix, const char* clipper, R::Figure R::*member) {
-    const R* row = find_row(operations, &R::mix, mix, &R::clipper, clipper);
-    return row == nullptr ? std::nullopt : row->*member;
-  };
-  std::vector<std::string> sentences;
-  const auto small = figure("window_1_64", kCohenSutherland, &R::rejected_free_percent);
-  const auto lines = figure("long_lines", kCohenSutherland, &R::rejected_free_percent);
-  if (small && lines) {
-    sentences.push_back(fmt::format(
-        "With a window of 1/64 of the drawing Cohen-Sutherland rejects {:.1f} % of the invisible lines without an intersection, of lines right across the drawing {:.1f} %.",
-        *small, *lines));
-  }
-  const auto repeated = figure("cross_several", kCohenSutherland, &R::divisions_per_shortened);
-  const auto moved = figure("cross_several", kCohenSutherland, &R::moved_ends_per_shortened);
-  const auto published = figure("inside", kPublished, &R::divisions_per_accepted);
-  const auto products = figure("inside", kProducts, &R::divisions_per_accepted);
-  const auto once = figure("cross_several", kProducts, &R::divisions_per_shortened);
-  if (repeated && moved && published && products && once) {
-    sentences.push_back(fmt::format(
-        "Where several planes cut it computes {:.2f} intersections to move {:.2f} ends, Liang-Barsky by products {:.2f}; to accept, that divides {:.0f} times, Liang-Barsky as published {:.0f} times.",
-        *repeated, *moved, *once, *products, *published));
-  }
-  if (intersections.size() > 4) {
-    const OperationCounts &any = intersections[0].cut, &oblique = intersections[4].cut;
-    sentences.push_back(fmt::format(
-        "An intersection takes {} multiplications and {} division with any plane, {} and {} in clip space, oblique or not.",
-        any.multiplications, any.divisions, oblique.multiplications, oblique.divisions));
-  }
-  if (!times.empty()) sentences.push_back(fastest_text(times, times.front().scalar));
-  for (const std::string& scalar : distinct(times, &TimeRow::scalar)) {
-    sentences.push_back(wrong_text(times, scalar));
-  }
-  return fmt::format("{}", fmt::join(sentences, " "));
+std::string finding(const std::vector<TimeRow>& times,
+                    const std::vector<OperationsRow>& operations) {
+  return fastest_text(times, times.empty() ? "" : times.front().scalar) +
+         intersections_text(operations);
 }
 
 }  // namespace clipscope::experiments::segments

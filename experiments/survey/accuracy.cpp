@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/survey/accuracy.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "experiments/judge/containment.hpp"
+#include "experiments/survey/judged_once.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -27,11 +30,30 @@ bool add(const Comparison& c, AccuracyTally& tally) {
   return c.position_px > tally.worst_position.error;
 }
 
-// Who is judged on the same numbers, and what is known of it.
+// Who is judged on the same numbers, and what is known of each.
 struct Judged {
-  const Contestant* contestant;
-  AccuracyTally* tally;
+  Contestants contestants;
+  std::vector<AccuracyTally*> tallies;
 };
+
+struct Finding {
+  Comparison comparison;
+  double overshoot = 0;
+};
+
+// Of one triangle, contestant by contestant.
+std::vector<Finding> findings(const ClipVolume& volume, const TruthPolygon& truth,
+                              std::span<const Answers> answers, std::size_t triangle) {
+  std::vector<Finding> found;
+  JudgedOnce<Finding> known;
+  for (const Answers& answer : answers) {
+    const PolygonView polygon = answer[triangle];
+    found.push_back(known.of(polygon, [&] {
+      return Finding{compare(polygon, truth), overshoot(volume, polygon)};
+    }));
+  }
+  return found;
+}
 
 // A view with its truth; triangle i of the sample is triangle i * stride of the mesh.
 struct Exhibit {
@@ -42,17 +64,22 @@ struct Exhibit {
 };
 
 // first: the number of the batch's first triangle in the sample.
-void judge(const Exhibit& exhibit, const Batch& batch, std::size_t first,
-           std::span<const Judged> judged) {
+void judge(const Exhibit& exhibit, const Batch& batch, std::size_t first, const Judged& judged) {
+  if (judged.contestants.empty()) return;
   const std::vector<TruthPolygon> truths = truth_polygons(exhibit.truth, batch);
-  for (const auto& [contestant, tally] : judged) {
-    const Answers answers = clip(*contestant, batch);
-    const auto comparisons = compare(answers, truths);
-    for (std::size_t i = 0; i < comparisons.size(); ++i) {
-      tally->overshoot = std::max(tally->overshoot, overshoot(batch.volume, answers[i]));
-      if (!add(comparisons[i], *tally)) continue;
-      tally->worst_position = {comparisons[i].position_px, exhibit.scene.name, exhibit.view.label,
-                               (first + i) * exhibit.stride};
+  const std::vector<Answers> answers = answers_of(judged.contestants, batch);
+  std::vector<std::vector<Finding>> found(truths.size());
+  tbb::parallel_for(std::size_t{0}, truths.size(), [&](std::size_t i) {
+    found[i] = findings(batch.volume, truths[i], answers, i);
+  });
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    for (std::size_t c = 0; c < found[i].size(); ++c) {
+      AccuracyTally& tally = *judged.tallies[c];
+      const auto& [comparison, overshoot] = found[i][c];
+      tally.overshoot = std::max(tally.overshoot, overshoot);
+      if (!add(comparison, tally)) continue;
+      tally.worst_position = {comparison.position_px, exhibit.scene.name, exhibit.view.label,
+                              (first + i) * exhibit.stride};
     }
   }
 }
@@ -66,17 +93,19 @@ std::size_t sampled_triangles(const Scene& scene, const AccuracyOptions& options
 void measure_accuracy(const Scene& scene, const Contestants& contestants,
                       const AccuracyOptions& options, std::span<AccuracyTally> tallies,
                       Progress& progress) {
-  std::vector<Judged> in_float, in_double;
+  Judged in_float, in_double;
   for (std::size_t c = 0; c < contestants.size(); ++c) {
     const bool doubles = options.in_double && takes_doubles(*contestants[c]->format, scene);
-    (doubles ? in_double : in_float).push_back({contestants[c], &tallies[c]});
+    Judged& judged = doubles ? in_double : in_float;
+    judged.contestants.push_back(contestants[c]);
+    judged.tallies.push_back(&tallies[c]);
   }
   const Spacing spacing = spacing_of(scene, options.triangles_per_view);
   for (const View& view : scene.views) {
     const Exhibit exhibit{scene, view, truth_of(view, options.truth), spacing.stride};
     for_each_chunk(scene, view, spacing, [&](const auto& triangles, std::size_t first) {
       judge(exhibit, batch_of(view, triangles), first, in_float);
-      if (!in_double.empty()) {
+      if (!in_double.contestants.empty()) {
         const auto as_given = sampled_view_triangles<DoubleSceneTriangle>(scene, view, spacing,
                                                                           first, triangles.size());
         judge(exhibit, batch_of(view, as_given), first, in_double);

@@ -13,6 +13,7 @@
 #include "experiments/judge/cycle.hpp"
 #include "experiments/judge/match.hpp"
 #include "experiments/judge/stage_check.hpp"
+#include "experiments/survey/judged_once.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -130,14 +131,21 @@ void add(const Judgement& judgement, std::size_t view, std::size_t triangle,
   accuracy.error_px.add(judgement.error_px);
 }
 
-// judge_one(i): the judgement of triangle i.
+// judge_one(i, c): the judgement of triangle i as contestant c answers it.
 template <class JudgeOne>
-void judge_all(std::size_t view, std::size_t triangles, BatchAccuracy& accuracy,
-               JudgeOne&& judge_one) {
-  std::vector<Judgement> judgements(triangles);
-  tbb::parallel_for(std::size_t{0}, triangles,
-                    [&](std::size_t i) { judgements[i] = judge_one(i); });
-  for (std::size_t i = 0; i < triangles; ++i) add(judgements[i], view, i, accuracy);
+void judge_all(std::size_t view, const std::vector<Answers>& answers,
+               std::span<BatchAccuracy> results, const JudgeOne& judge_one) {
+  const std::size_t triangles = answers.empty() ? 0 : answers.front().size();
+  std::vector<std::vector<Judgement>> judgements(triangles);
+  tbb::parallel_for(std::size_t{0}, triangles, [&](std::size_t i) {
+    JudgedOnce<Judgement> judged;
+    for (std::size_t c = 0; c < answers.size(); ++c) {
+      judgements[i].push_back(judged.of(answers[c][i], [&] { return judge_one(i, c); }));
+    }
+  });
+  for (std::size_t i = 0; i < triangles; ++i) {
+    for (std::size_t c = 0; c < answers.size(); ++c) add(judgements[i][c], view, i, results[c]);
+  }
 }
 
 Judgement judge_in_clip_space(const PolygonView& polygon, const RoundedTruth& truth) {
@@ -173,16 +181,14 @@ std::vector<BatchAccuracy> judge_batches(std::span<const SampledView> views,
       truths[i] =
           rounded_truth(truth, reference::input_triangle(views[v].triangles[i]), nearest_in_ndc);
     });
-    for (std::size_t c = 0; c < contestants.size(); ++c) {
-      const Answers answers = clip(*contestants[c], batch_of(view, triangles));
-      const Kept kept = [&answers](const VertexView& vertex) {
-        return kept_numbers(
-            [&](std::size_t i) { return nearest_float(vertex[i], answers.format()); });
-      };
-      judge_all(v, triangles.size(), results[c],
-                [&](std::size_t i) { return judge(answers[i], truths[i], kept); });
-      progress.advance(triangles.size());
-    }
+    const std::vector<Answers> answers = answers_of(contestants, batch_of(view, triangles));
+    judge_all(v, answers, results, [&](std::size_t i, std::size_t c) {
+      const Format& format = answers[c].format();
+      return judge(answers[c][i], truths[i], [&](const VertexView& vertex) {
+        return kept_numbers([&](std::size_t k) { return nearest_float(vertex[k], format); });
+      });
+    });
+    progress.advance(triangles.size() * contestants.size());
   }
   return results;
 }
@@ -198,14 +204,16 @@ std::vector<BatchAccuracy> judge_stage(const StageInput& input, const Contestant
     truths[i].has_no_area = has_no_area(triangle);
   });
   std::vector<BatchAccuracy> results(contestants.size());
-  for (std::size_t c = 0; c < contestants.size(); ++c) {
-    const std::unique_ptr<Runner> runner = contestants[c]->prepare_stage(input);
+  std::vector<Answers> answers;
+  for (const Contestant* contestant : contestants) {
+    const std::unique_ptr<Runner> runner = contestant->prepare_stage(input);
     runner->clip(0, 0, triangles);
-    const Answers answers = runner->answers();
-    judge_all(0, triangles, results[c],
-              [&](std::size_t i) { return judge_in_clip_space(answers[i], truths[i]); });
-    progress.advance(triangles);
+    answers.push_back(runner->answers());
   }
+  judge_all(0, answers, results, [&](std::size_t i, std::size_t c) {
+    return judge_in_clip_space(answers[c][i], truths[i]);
+  });
+  progress.advance(triangles * contestants.size());
   return results;
 }
 

@@ -79,17 +79,23 @@ Task contest_task(const Contestant& contestant, std::span<const Batch> batches,
 }
 
 std::vector<Timing> time_contestants(std::span<const Batch> batches, const Contestants& contestants,
-                                     const Contestant& baseline, const ContestClock& clock) {
+                                     const Contestant& baseline, const ContestClock& clock,
+                                     const Inaccuracies& inaccuracies) {
   if (size_of(batches) == 0) {
     Timing none;
     none.refused = "no primitives";
     return std::vector<Timing>(contestants.size(), none);
   }
   std::vector<Task> tasks = {contest_task(baseline, batches, clock.checked)};
-  for (const Contestant* c : contestants) tasks.push_back(contest_task(*c, batches, clock.checked));
-  std::vector<Timing> timings = time_in_turn(
-      tasks,
-      {.rounds = clock.rounds, .milliseconds_per_run = clock.milliseconds_per_run, .baseline = 0});
+  for (std::size_t c = 0; c < contestants.size(); ++c) {
+    tasks.push_back(contest_task(*contestants[c], batches, clock.checked));
+    tasks.back().inaccuracy = inaccuracies.empty() ? std::vector<double>() : inaccuracies[c];
+  }
+  std::vector<Timing> timings =
+      time_in_turn(tasks, {.rounds = clock.rounds,
+                           .milliseconds_per_run = clock.milliseconds_per_run,
+                           .baseline = 0,
+                           .far = clock.far});
   timings.erase(timings.begin());
   return timings;
 }

@@ -20,6 +20,7 @@ struct ContestClock {
   int rounds = 25;
   double milliseconds_per_run = 2.0;  // a contestant's part of a round; at least some primitives
   std::size_t checked = 256;          // primitives of all batches whose answers are checked
+  double far = 10;                    // see ClockOptions
 };
 
 // The clock of experiments: quick, or for figures.
@@ -29,10 +30,15 @@ ContestClock contest_clock(bool quick);
 Task contest_task(const Contestant& contestant, std::span<const Batch> batches,
                   std::size_t checked);
 
+// How inaccurate each contestant is, in measures of which smaller is better; see Task. Empty where
+// nothing is known.
+using Inaccuracies = std::vector<std::vector<double>>;
+
 // One timing per contestant, in their order; ratios refer to the baseline, which is run whether it
 // is among them or not. Triangles and segments. Refused: "no primitives", or how the promise is
 // broken.
 std::vector<Timing> time_contestants(std::span<const Batch> batches, const Contestants& contestants,
-                                     const Contestant& baseline, const ContestClock& clock);
+                                     const Contestant& baseline, const ContestClock& clock,
+                                     const Inaccuracies& inaccuracies = {});
 
 }  // namespace clipscope::experiments

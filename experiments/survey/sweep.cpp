@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "experiments/judge/cycle.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/selection/replay_text.hpp"
+#include "experiments/survey/judged_once.hpp"
 
 namespace clipscope::experiments {
 
@@ -58,14 +58,6 @@ reference::Truth truth_of(const SweepChunk& chunk) {
   return reference::Truth::of_frustum(frustum_cast<double>(*chunk.frustum), chunk.volume);
 }
 
-bool same_polygon(const PolygonView& a, const PolygonView& b) {
-  if (&a.format() != &b.format() || a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (!same_vertex(a[i], b[i], Likeness::by_value)) return false;
-  }
-  return true;
-}
-
 std::vector<Tally> sweep_one(const SweepChunk& chunk, const Contestants& contestants) {
   const reference::Truth truth = truth_of(chunk);
   const Batch batch = chunk.batch();
@@ -76,17 +68,11 @@ std::vector<Tally> sweep_one(const SweepChunk& chunk, const Contestants& contest
   std::vector<Tally> tallies(contestants.size());
   for (std::size_t i = 0; i < batch.size(); ++i) {
     const TruthPolygon exact = truth_polygon(truth, input_vertices(batch, i), batch.attributes);
-    // Many methods give the same bits for most triangles: each different answer is compared once.
-    std::vector<std::pair<PolygonView, Comparison>> judged;
+    JudgedOnce<Comparison> comparisons;
     for (const auto& [c, answer] : answers) {
       const PolygonView polygon = answer[i];
-      auto known = std::ranges::find_if(
-          judged, [&](const auto& j) { return same_polygon(j.first, polygon); });
-      if (known == judged.end()) {
-        judged.emplace_back(polygon, compare(polygon, exact));
-        known = judged.end() - 1;
-      }
-      tallies[c].add(known->second, [&] { return replay_text(chunk, i); });
+      tallies[c].add(comparisons.of(polygon, [&] { return compare(polygon, exact); }),
+                     [&] { return replay_text(chunk, i); });
     }
   }
   return tallies;

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <iterator>
 
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/contestants/plane_columns.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/selection/select.hpp"
+#include "experiments/survey/judged_once.hpp"
 #include "experiments/survey/sweep.hpp"
 
 namespace clipscope::experiments {
@@ -54,16 +56,18 @@ std::vector<CaseVerdict> judge(const HardCase& hard_case, const Contestants& con
   const CaseBatch input(hard_case);
   const PromiseChecker checker(input);
   std::vector<CaseVerdict> verdicts;
+  std::deque<Answers> answers;  // polygons refer to them
+  JudgedOnce<Comparison> comparisons;
   for (const Contestant* contestant : contestants) {
     CaseVerdict& verdict = verdicts.emplace_back();
     if (!contestant->takes(input)) {
       verdict.comparison.outcome = Outcome::not_applicable;
       continue;
     }
-    const Answers answers = clip(*contestant, input);
-    verdict.comparison = compare(answers[0], truth);
+    const PolygonView polygon = answers.emplace_back(clip(*contestant, input))[0];
+    verdict.comparison = comparisons.of(polygon, [&] { return compare(polygon, truth); });
     if (hard_case.primitive == Primitive::triangle) {
-      verdict.promise = check_answer(*contestant, hard_case, input, checker, answers[0]);
+      verdict.promise = check_answer(*contestant, hard_case, input, checker, polygon);
     }
   }
   return verdicts;

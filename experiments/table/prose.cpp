@@ -87,7 +87,7 @@ std::string listed(const std::vector<std::string>& things) {
 
 std::string some_of(std::int64_t count, std::int64_t of, std::string_view things) {
   if (count == 0) return fmt::format("none of the {}", things);
-  if (count == of) return fmt::format("all {} {}", of, things);
+  if (count == of) return fmt::format("all {}", things);
   return fmt::format("{} of {} {}", count, of, things);
 }
 

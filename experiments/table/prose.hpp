@@ -20,7 +20,7 @@ std::string capitalised(std::string text);
 // "a", "a and b", "a, b and c"; empty of nothing.
 std::string listed(const std::vector<std::string>& things);
 
-// "none of the pictures", "all 64 pictures", "8 of 64 pictures".
+// "none of the pictures", "all pictures", "8 of 64 pictures".
 // Pre-condition: 0 <= count <= of.
 std::string some_of(std::int64_t count, std::int64_t of, std::string_view things);
 

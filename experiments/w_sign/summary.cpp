@@ -2,28 +2,69 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
+#include "experiments/table/prose.hpp"
 #include "experiments/w_sign/rows.hpp"
 
 namespace clipscope::experiments::w_sign {
 namespace {
 
-constexpr std::string_view kPlain = "homogeneous/sutherland_hodgman";
+constexpr std::string_view kPlain = "homogeneous/sutherland_hodgman", kNaive = "cvv/naive";
 
-std::string patterns_text(const std::vector<PatternRow>& patterns) {
+// What leaves a division by 0 and the like without a w-plane.
+std::string scenes_sentence(const std::vector<PreventedRow>& prevented) {
+  std::int64_t hazards = 0, clipped = 0;
+  for (const PreventedRow& row : rows_where(prevented, &PreventedRow::clipper, kPlain)) {
+    if (row.input == "patterns") continue;
+    hazards += row.hazards.total();
+    clipped += row.hazards.triangles;
+  }
+  if (clipped == 0) return "No scene was clipped in clip space by the six planes alone.";
+  constexpr std::string_view kWhat = "a division by zero, by a negative w or an overflow";
+  if (hazards == 0) {
+    return fmt::format(
+        "Scenes need no plane in front of the six in clip space: none of {} clipped triangles leaves {}.",
+        clipped, kWhat);
+  }
+  return fmt::format(
+      "Scenes need a plane in front of the six in clip space: {} clipped triangles leave {}.",
+      hazards, kWhat);
+}
+
+// What a plane w >= epsilon costs.
+std::string loss_sentence(const std::vector<EpsilonRow>& epsilon) {
+  double worst = 0;
+  for (const EpsilonRow& row : epsilon) {
+    if (row.epsilon && *row.epsilon > 0) worst = std::max(worst, row.loss.lost_percent);
+  }
+  if (epsilon.empty()) return "";
+  if (worst < 1) return " A plane w >= epsilon cut away nothing visible at any scale.";
+  return fmt::format(
+      " A plane w >= epsilon cuts away {} of what is visible where lengths come near epsilon.",
+      worst >= 50 ? "most" : "some");
+}
+
+// Clip space and dividing first on random triangles.
+std::string patterns_sentence(const std::vector<PatternRow>& patterns) {
   std::int64_t plain = 0, naive = 0, triangles = 0;
   for (const PatternRow& row : rows_where(patterns, &PatternRow::scalar, "float")) {
     if (row.clipper == kPlain) {
       plain += row.failures;
       triangles += row.triangles;
     }
-    if (row.clipper == "cvv/naive") naive += row.failures;
+    if (row.clipper == kNaive) naive += row.failures;
   }
-  if (triangles == 0) return "";
+  if (triangles == 0 || find_row(patterns, &PatternRow::clipper, kNaive) == nullptr) return "";
+  const std::string often =
+      naive > plain && plain > 0
+          ? fmt::format("{} as often as",
+                        times_text(static_cast<double>(naive) / static_cast<double>(plain)))
+      : naive > plain  ? "more often than"
+      : naive == plain ? "as often as"
+                       : "less often than";
   return fmt::format(
-      "of {} random triangles with every sign of w float clip space fails on {}, clipping after the divide on {}; ",
-      triangles, plain, naive);
+      " On random triangles with every sign of w dividing first is wrong {} clip space in float.",
+      often);
 }
 
 }  // namespace
@@ -53,23 +94,7 @@ Plot loss_plot(const std::vector<EpsilonRow>& epsilon) {
 
 std::string finding(const std::vector<PatternRow>& patterns, const std::vector<EpsilonRow>& epsilon,
                     const std::vector<PreventedRow>& prevented) {
-  std::int64_t in_patterns = 0, in_scenes = 0, clipped_in_scenes = 0;
-  for (const PreventedRow& row : rows_where(prevented, &PreventedRow::clipper, kPlain)) {
-    const bool is_scene = row.input != "patterns";
-    (is_scene ? in_scenes : in_patterns) += row.hazards.total();
-    if (is_scene) clipped_in_scenes += row.hazards.triangles;
-  }
-  std::string text = patterns_text(patterns);
-  text += fmt::format(
-      "without a w-plane {} of {} triangles of scenes, with and without a near plane, leave a division by 0, by a negative w or an overflow, and {} of the random ones",
-      in_scenes, clipped_in_scenes, in_patterns);
-  std::set<std::string> told;
-  for (const EpsilonRow& row : epsilon) {
-    if (row.loss.lost_percent < 1 || !told.insert(row.clipper).second) continue;
-    text += fmt::format("; {} loses {:.0f} % of a visible {} in a scene of {:g} m ({})",
-                        row.clipper, row.loss.lost_percent, row.surface, row.scale_m, row.depth);
-  }
-  return text + ".";
+  return scenes_sentence(prevented) + loss_sentence(epsilon) + patterns_sentence(patterns);
 }
 
 }  // namespace clipscope::experiments::w_sign

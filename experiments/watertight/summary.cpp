@@ -2,10 +2,12 @@
 #include "experiments/watertight/rows.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
+
+#include "experiments/contestants/spoken.hpp"
+#include "experiments/table/prose.hpp"
 
 namespace clipscope::experiments::watertight {
 namespace {
@@ -17,56 +19,72 @@ Kind kind_of(const std::string& scene) {
 double crack_px(const SummaryRow& row) { return row.all.crack_px; }
 double lost_px(const SummaryRow& row) { return row.all.lost_px; }
 
-// "in float 18 of 19 clippers leave both neighbours the same bits; textbook cracks by up to 0.26 px
-// (in double 2e-10)": in the first scalar, and the widest crack's clipper in the second.
-std::string crack_finding(const std::vector<SummaryRow>& rows) {
-  const std::vector<std::string> scalars = distinct(rows, &SummaryRow::scalar);
-  const auto in_first = rows_where(rows, &SummaryRow::scalar, scalars.front());
-  const auto tight =
-      std::ranges::count_if(in_first, [](const SummaryRow& r) { return r.all.t_junctions == 0; });
-  std::string text = fmt::format("in {} {} of {} clippers leave both neighbours the same bits",
-                                 scalars.front(), tight, in_first.size());
-  const SummaryRow& widest = *std::ranges::max_element(in_first, {}, crack_px);
-  if (crack_px(widest) == 0) return text;
-  text +=
-      fmt::format("; {} cracks by up to {} px", widest.clipper, format_number(crack_px(widest)));
-  if (scalars.size() == 1) return text;
-  for (const SummaryRow& row :
-       rows_where(rows, &SummaryRow::scalar, scalars[1], &SummaryRow::clipper, widest.clipper)) {
-    text += fmt::format(" (in {} {})", scalars[1], format_number(crack_px(row)));
-  }
-  return text;
+// In the first scalar.
+std::vector<SummaryRow> in_first_scalar(const std::vector<SummaryRow>& rows) {
+  return rows_where(rows, &SummaryRow::scalar, rows.front().scalar);
 }
 
-// Pre-condition: at least one row.
-std::string kind_finding(const std::vector<SummaryRow>& rows) {
-  const auto edges_of = [](const SummaryRow& row) { return row.all.edges; };
-  const std::int64_t edges = edges_of(*std::ranges::max_element(rows, {}, edges_of));
-  const std::string_view kind = name_of(rows.front().edges_of);
-  if (edges == 0) return fmt::format("No {} edge lies beside a cut, so nothing was judged.", kind);
-  std::string text = fmt::format("{} {} edges beside a cut: {}", edges, kind, crack_finding(rows));
+bool has_edges(const SummaryRow& row) { return row.all.edges > 0; }
+bool is_tight(const SummaryRow& row) { return row.all.t_junctions == 0; }
+
+double tight_share(const std::vector<SummaryRow>& rows) {
+  return static_cast<double>(std::ranges::count_if(rows, is_tight)) /
+         static_cast<double>(rows.size());
+}
+
+// How many clippers leave both neighbours the same bits along an edge, of a mesh and grazing.
+std::string tight_sentence(const std::vector<SummaryRow>& summary) {
+  std::vector<SummaryRow> mesh = rows_where(summary, &SummaryRow::edges_of, Kind::mesh);
+  std::vector<SummaryRow> grazing = rows_where(summary, &SummaryRow::edges_of, Kind::grazing);
+  for (auto* rows : {&mesh, &grazing}) {
+    if (!rows->empty()) *rows = in_first_scalar(*rows);
+    std::erase_if(*rows, [](const SummaryRow& row) { return !has_edges(row); });
+  }
+  if (mesh.empty() && grazing.empty()) return "No edge lies beside a cut, so nothing was judged.";
+  const auto& rows = mesh.empty() ? grazing : mesh;
+  std::string text = fmt::format(
+      "Along {} edges beside a cut {} leave both neighbours the same bits in {}",
+      name_of(rows.front().edges_of),
+      some_of(std::ranges::count_if(rows, is_tight), std::ranges::ssize(rows), "clippers"),
+      spoken_scalar(rows.front().scalar));
+  if (mesh.empty() || grazing.empty()) return text + ".";
+  return fmt::format("{}; along edges that graze a plane {} do.", text,
+                     quantity(tight_share(grazing)));
+}
+
+// Whose crack is the widest, and who loses a neighbour, in the first scalar. Empty where nothing
+// was judged.
+std::string worst_sentence(const std::vector<SummaryRow>& summary) {
+  std::vector<SummaryRow> rows = in_first_scalar(summary);
+  std::erase_if(rows, [](const SummaryRow& row) { return !has_edges(row); });
+  if (rows.empty()) return "";
+  const SummaryRow& widest = *std::ranges::max_element(rows, {}, crack_px);
   const SummaryRow& lost = *std::ranges::max_element(rows, {}, lost_px);
-  if (lost_px(lost) > 0) {
-    text += fmt::format("; {} loses neighbours up to {} px wide", lost.clipper,
-                        format_number(lost_px(lost)));
+  std::vector<std::string> parts;
+  if (crack_px(widest) > 0) {
+    parts.push_back(fmt::format("the widest crack is that of {}", spoken_clipper(widest.clipper)));
   }
-  return text + ".";
+  if (lost_px(lost) > 0) {
+    parts.push_back(
+        fmt::format("the widest lost neighbour is that of {}", spoken_clipper(lost.clipper)));
+  }
+  if (parts.empty()) return " No clipper cracks, and none loses a neighbour.";
+  return fmt::format(" {}.", capitalised(listed(parts)));
 }
 
-std::string promise_finding(const std::vector<SummaryRow>& rows) {
+std::string promise_sentence(const std::vector<SummaryRow>& rows) {
   const auto kept = rows_where(rows, &SummaryRow::promise, Verdict::kept).size();
   std::vector<std::string> broken;
   for (const SummaryRow& row : rows_where(rows, &SummaryRow::promise, Verdict::broken)) {
-    broken.push_back(row.clipper + " in " + row.scalar);
+    broken.push_back(spoken_contestant(row.clipper, row.scalar));
   }
-  if (kept == 0 && broken.empty()) {
-    return rows_where(rows, &SummaryRow::promise, Verdict::no_edge).empty()
-               ? "None of them promises to be watertight."
-               : "No promise to be watertight could be judged.";
+  if (!broken.empty()) {
+    return fmt::format(" Promises to be watertight are BROKEN by {}.", listed(broken));
   }
-  if (broken.empty()) return fmt::format("All {} promises to be watertight are kept.", kept);
-  return fmt::format("BROKEN: {} of {} promises to be watertight, by {}.", broken.size(),
-                     kept + broken.size(), fmt::join(broken, ", "));
+  if (kept > 0) return " All promises to be watertight are kept.";
+  return rows_where(rows, &SummaryRow::promise, Verdict::no_edge).empty()
+             ? " None of them promises to be watertight."
+             : " No promise to be watertight could be judged.";
 }
 
 }  // namespace
@@ -119,15 +137,16 @@ Plot crack_plot(const std::vector<SummaryRow>& summary) {
 }
 
 std::string finding(const std::vector<MeshRow>& meshes, const std::vector<SummaryRow>& summary) {
-  std::string text;
+  if (summary.empty()) return "No clipper was asked for.";
+  std::vector<std::string> cracked;
   for (const MeshRow& mesh : meshes) {
-    if (!mesh.edges.may_crack()) continue;
-    text += fmt::format("Before any clipping {} has {}. ", mesh.scene, crack_text(mesh.edges));
+    if (mesh.edges.may_crack()) cracked.push_back(spoken_set(mesh.scene));
   }
-  for (const Kind kind : distinct(summary, &SummaryRow::edges_of)) {
-    text += kind_finding(rows_where(summary, &SummaryRow::edges_of, kind)) + " ";
+  std::string text;
+  if (!cracked.empty()) {
+    text = fmt::format("Before any clipping there may be cracks in {}. ", listed(cracked));
   }
-  return text + promise_finding(summary);
+  return text + tight_sentence(summary) + worst_sentence(summary) + promise_sentence(summary);
 }
 
 }  // namespace clipscope::experiments::watertight

@@ -8,10 +8,13 @@
   const FEW = 50;    // rows that are shown without being asked for
   const FIRST = 20;  // rows shown of a longer table
 
+  // What a cell says, without what folds out beneath it.
+  const textOf = (cell) => cell.firstChild?.textContent ?? '';
+
   // The cell's value: a number where it has one, null where it is empty, else its text.
   const valueOf = (cell) => {
     if (cell.classList.contains('nothing')) return null;
-    return 'v' in cell.dataset ? Number(cell.dataset.v) : cell.textContent;
+    return cell.classList.contains('n') ? Number(cell.dataset.v ?? cell.textContent) : textOf(cell);
   };
 
   // Where a value goes whatever the direction: NaN after numbers and texts, nothing at the very end.
@@ -49,7 +52,7 @@
     const quote = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
     const head = [...table.tHead.rows[0].cells].map((cell) => cell.dataset.key);
     const rows = [...table.tBodies[0].rows].filter((row) => !row.classList.contains('out'));
-    const text = (cell) => (cell.classList.contains('nothing') ? '' : cell.dataset.v ?? cell.textContent);
+    const text = (cell) => (cell.classList.contains('nothing') ? '' : cell.dataset.v ?? textOf(cell));
     return [head, ...rows.map((row) => [...row.cells].map(text))]
       .map((cells) => cells.map(quote).join(',') + '\n').join('');
   };

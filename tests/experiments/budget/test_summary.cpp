@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/budget/rows.hpp"
+#include "experiments/table/prose.hpp"
 #include "tests/catch.hpp"
 
 using namespace clipscope::experiments;
@@ -24,10 +25,22 @@ const std::vector<Row> kRows = rows_of_clipper(
 TEST_CASE("budget: the finding names the largest part in the median and at the most") {
   CHECK(
       finding(kRows) ==
-      "The largest part on a scene in float is, for textbook: in the median transform (2.00 of 3.00 px), at the most matrix (8.00 of 9.00 px).");
-  CHECK(finding({}) == "no contestant has a budget: only float and double round.");
+      "On a scene in float the largest part of the median error comes from the transform for every clipper: with the textbook clipper it is 2.00 of 3.00 px. The largest part of the greatest error comes from rounding the matrix for every clipper.");
+  std::vector<Row> rows = kRows;
+  const std::vector<Row> more = rows_of_clipper(
+      "view/sutherland_hodgman", {Spread{0, 1}, Spread{1, 2}, Spread{3, 9}, Spread{0, 1}, {}});
+  rows.insert(rows.end(), more.begin(), more.end());
+  const std::string text = finding(rows);
+  CHECK(faults_of_prose(text).empty());
+  CHECK(
+      text ==
+      "On a scene in float the largest part of the median error comes from the transform for the textbook clipper, and the cut for view space: with the textbook clipper it is 2.00 of 3.00 px. The largest part of the greatest error comes from rounding the matrix for the textbook clipper, and the cut for view space.");
+}
+
+TEST_CASE("budget: the finding says so where nothing has a budget") {
+  CHECK(finding({}) == "No contestant has a budget: only float and double round.");
   CHECK(finding({{"a scene", "textbook", "float", Part::total, {}, {}, 0, 10}}) ==
-        "no triangle of a scene has a budget.");
+        "Nothing on a scene has a budget.");
 }
 
 TEST_CASE("budget: the plot has a bar per part for the main clippers that have a budget") {

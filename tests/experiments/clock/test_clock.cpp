@@ -97,7 +97,66 @@ TEST_CASE("clock: tasks run in turn, each once per round, in an order that rotat
   for (const Timing& t : timings) CHECK(t.samples_ns.size() == 3);
 }
 
-TEST_CASE("clock: ratios are formed sample by sample") {
+namespace {
+
+// A contender whose run takes so many times as long as that of 1.
+Task contender(double slower, std::vector<double> inaccuracy = {}) {
+  Task task = counting(static_cast<int>(20000 * slower));
+  task.inaccuracy = std::move(inaccuracy);
+  return task;
+}
+
+std::vector<std::int64_t> rounds_of(const std::vector<Task>& tasks,
+                                    std::optional<std::size_t> baseline = {}) {
+  std::vector<std::int64_t> rounds;
+  const ClockOptions options{
+      .rounds = 15, .milliseconds_per_run = .1, .baseline = baseline, .far = 4};
+  for (const Timing& t : time_in_turn(tasks, options)) {
+    CHECK(t.samples_ns.size() == static_cast<std::size_t>(t.rounds));
+    rounds.push_back(t.rounds);
+  }
+  return rounds;
+}
+
+constexpr std::int64_t kFewest = kLeastRounds;
+
+}  // namespace
+
+TEST_CASE("clock: a contender far slower than another leaves the race after the least rounds") {
+  CHECK(rounds_of({contender(1), contender(40), contender(1.2)}) ==
+        std::vector<std::int64_t>{15, kFewest, 15});
+}
+
+TEST_CASE("clock: a contender stays in the race while every rival is less accurate in something") {
+  CHECK(rounds_of({contender(1, {2, 5}), contender(40, {3, 4})}) ==
+        std::vector<std::int64_t>{15, 15});
+  CHECK(rounds_of({contender(1, {2, 4}), contender(40, {3, 4})}) ==
+        std::vector<std::int64_t>{15, kFewest});
+}
+
+TEST_CASE("clock: the baseline and who is no contender get all rounds and drive nobody out") {
+  CHECK(rounds_of({contender(40), contender(1)}, 0) == std::vector<std::int64_t>{15, 15});
+  CHECK(rounds_of({counting(20000), contender(40), counting(800000)}) ==
+        std::vector<std::int64_t>{15, 15, 15});
+}
+
+TEST_CASE("clock: who left the race has its ratio from the rounds that it got") {
+  const ClockOptions options{.rounds = 15, .milliseconds_per_run = .1, .baseline = 0};
+  const auto timings = time_in_turn(std::vector{contender(1), contender(100)}, options);
+  CHECK(timings[1].rounds == kFewest);
+  CHECK(timings[1].speedup.value().median < 0.1);
+}
+
+TEST_CASE("clock: the least rounds leave a 95 % interval inside of the range of the samples") {
+  std::vector<double> samples;
+  for (std::size_t i = 0; i < kLeastRounds; ++i) samples.push_back(static_cast<double>(i));
+  const MedianInterval interval = median_interval(samples);
+  CHECK(interval.low > samples.front());
+  CHECK(interval.high < samples.back());
+}
+
+TEST_CASE("clock: ratios are formed sample by sample, of the rounds that both have") {
+  CHECK(ratios(std::vector{6.0, 8.0, 9.0}, std::vector{2.0, 4.0}) == std::vector{3.0, 2.0});
   CHECK(ratios(std::vector{2.0, 9.0}, std::vector{1.0, 3.0}) == std::vector{2.0, 3.0});
 }
 

@@ -39,7 +39,7 @@ TEST_CASE("hard cases: the finding says whom exact arithmetic does not mend") {
                                   row("cvv/perspective", "exact", 200, 50)};
   CHECK(
       checked_finding(rows) ==
-      "In float 5.00 % of the hard triangles are wrong with clip space. The correctly rounded clipper gets none wrong. More digits do not mend dividing first: in exact arithmetic, too, triangles are wrong.");
+      "In float 5.00 % of the hard triangles are wrong with clip space. The correctly rounded clipper gets none wrong. More digits do not mend dividing first, wrong in exact arithmetic, too.");
   rows[1].failures = 1;
   rows[3].failures = 0;
   CHECK(

@@ -38,3 +38,29 @@ TEST_CASE("distance: a polygon is its fan") {
   CHECK(squared_distance_to_polygon(point(3, 3, 1), square) == Exact(1));
   CHECK(squared_distance_to_polygon(point(5, 2, 0), square) == Exact(1));
 }
+
+TEST_CASE("distance: a quad-double holds a rational to 200 bits") {
+  for (const Exact& x : {Exact(1, 3), Exact(-2, 7), Exact(Exact(1) + Exact(0x1p-150)), Exact(0)}) {
+    const qd_real q = distance_number<qd_real>(x);
+    Exact held(0);
+    for (int i = 0; i < 4; ++i) held += Exact(q[i]);
+    CHECK(abs(held - x) <= abs(x) * Exact(0x1p-200));
+  }
+}
+
+TEST_CASE("distance: quad-double sees what double-double does not") {
+  const auto off_by = [](auto zero, const Exact& height) {
+    using N = decltype(zero);
+    const auto lifted = [](const Exact& x, const Exact& y, const Exact& z) {
+      return Lifted<N>{distance_number<N>(x), distance_number<N>(y), distance_number<N>(z)};
+    };
+    const Exact third(1, 3);
+    return nearest_double(squared_distance_to_triangle(
+        lifted(third, third, Exact(third + height)), lifted(Exact(0), Exact(0), third),
+        lifted(Exact(1), Exact(0), third), lifted(Exact(0), Exact(1), third)));
+  };
+  const Exact height(0x1p-110);  // lost beside 1/3 in the 106 bits of a double-double
+  CHECK(off_by(qd_real(0), height) == Approx(0x1p-220).epsilon(1e-12));
+  CHECK(off_by(Exact(0), height) == Approx(0x1p-220).epsilon(1e-12));
+  CHECK(off_by(dd_real(0), height) != Approx(0x1p-220).epsilon(1e-2));
+}

@@ -2,6 +2,7 @@
 //
 // What is said of perspective correction, on rows made by hand.
 #include "experiments/perspective/rows.hpp"
+#include "experiments/table/prose.hpp"
 #include "tests/catch.hpp"
 
 namespace clipscope::experiments::perspective {
@@ -33,13 +34,29 @@ TEST_CASE("perspective: rows read back as they were written") {
   CHECK(ratios[1].texels_1024() == 512);
 }
 
-TEST_CASE("perspective: the finding names what was attained, the thresholds and the extremes") {
+TEST_CASE("perspective: the finding follows the rows") {
+  const auto checked = [](const Tables& t) {
+    const std::string text = finding(t);
+    INFO(text);
+    CHECK(faults_of_prose(text).empty());
+    return text;
+  };
   Tables t = tables();
   CHECK(
-      finding(t) ==
-      "Without perspective correction an attribute is off by up to (sqrt(r) - 1) / (sqrt(r) + 1) of its range, r = w_max/w_min: attained exactly at 1 of 2 ratios, passed at 2 points. Half a texel is passed at r = 1.5 (256 texels). With 1024 texels per unit 20 % of the visible triangles of near are off by more, and 2 % of far.");
+      checked(t) ==
+      "The bound of the error without perspective correction does not hold: it is attained exactly at most ratios of w that were tried, and passed at some points. In a texture of 256 texels it reaches half a texel as soon as w varies by a factor of 1.5 along an edge. With such a texture few visible triangles on near call for correction, and few on far.");
   t.cuts.add({.ratio = 4, .clipper = "cvv/perspective", .scalar = "float", .max_error = 1e-7});
-  CHECK(finding(t).ends_with("unless it is corrected: up to 0.25 against 1e-07."));
+  CHECK(
+      checked(t).ends_with("carries the same error into new vertices unless it corrects for it."));
+  t.cuts.add({.ratio = 4, .clipper = "cvv/perspective", .scalar = "float", .max_error = 0.25});
+  CHECK(checked(t).ends_with("adds no such error to new vertices, corrected or not."));
+}
+
+TEST_CASE("perspective: a bound that is attained everywhere and passed nowhere is sharp") {
+  Tables t;
+  t.ratios.add({.ratio = 4, .attained = true});
+  CHECK(finding(t).starts_with("The bound of the error without perspective correction is sharp"));
+  CHECK(finding({}) == "No error without perspective correction was measured.");
 }
 
 TEST_CASE("perspective: the plot has a line per error, the search, and clippers in float") {

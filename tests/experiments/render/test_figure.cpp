@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/render/webp.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/render/shapes.hpp"
 
@@ -90,6 +91,19 @@ TEST_CASE("figure: a PNG holds the composed figure in 8 bits") {
   CHECK(png.spec.nchannels == 3);
   CHECK(png.spec.format == OIIO::TypeDesc::UINT8);
   CHECK(folder.files() == 1);
+}
+
+TEST_CASE("figure: as WebP it has every pixel of the PNG, in fewer bytes") {
+  const Example example;
+  const Folder folder;
+  write_image(folder / "figure.png", example.figure);
+  const std::string bytes = lossless_webp(folder / "figure.png");
+  CHECK(bytes.size() < fs::file_size(folder / "figure.png"));
+  std::ofstream(folder / "figure.webp", std::ios::binary) << bytes;
+  const Read png(folder / "figure.png"), webp(folder / "figure.webp");
+  CHECK(webp.spec.width == png.spec.width);
+  CHECK(webp.values == png.values);
+  CHECK_THROWS_AS(lossless_webp(folder / "absent.png"), OutputError);
 }
 
 TEST_CASE("figure: an EXR holds the data pixel for pixel") {

@@ -34,6 +34,16 @@ inline Table sample_claims() {
   return table;
 }
 
+// The figures of the first two.
+inline Table sample_evidence() {
+  Table table("claims_evidence", "Figures behind claims",
+              {{"claim", "claim"}, {"case", "case"}, {"figure", "figure"}});
+  table.add_row({std::int64_t{1}, std::string("a < b"), 0.25});
+  table.add_row({std::int64_t{1}, std::string("b < c"), 4.5});
+  table.add_row({std::int64_t{2}, std::string("c < d"), 1.0});
+  return table;
+}
+
 // Numbers that sort wrongly as texts, and values that are no numbers.
 inline Table sample_odd() {
   Table table("odd", "Odd <values> & \"quotes\"",
@@ -194,7 +204,7 @@ inline SampleRun sample_run(const std::vector<std::string>& plots) {
   const SampleExperiment unfinished{{"unfinished", "", "", "", 0, false}};
   const SampleExperiment claims{
       {"claims", "Which claims hold?", "clipscope run claims", "One of five.", 0, true},
-      {sample_claims()}};
+      {sample_claims(), sample_evidence()}};
   return {sample, unfinished, claims};
 }
 

@@ -104,10 +104,23 @@ TEST_CASE("results: the README names every experiment with its question and its 
   CHECK(contains(readme, "| [plot1](sample/plot1.svg) | [a](sample/a.png), [gone]"));
   CHECK(contains(readme, "| [unfinished](unfinished/) |  (unfinished) |"));
   CHECK(
-      contains(readme, "| [claims](claims/) | Which claims hold? | [claims](claims/claims.md) |"));
+      contains(readme, "| [claims](claims/) | Which claims hold? | [claims](claims/claims.md), "));
   CHECK(contains(readme, "on a processor <fast>"));
   run[0].experiment.question = "a | b";
   CHECK(contains(results_readme(store_of(run, folder.path)), "| a \\| b |"));
+}
+
+TEST_CASE("results: the README begins with the answers, if the run has them") {
+  const TestFolder folder;
+  SampleRun run = sample_run({});
+  const std::string without = results_readme(store_of(run, folder.path));
+  CHECK(without.starts_with("# Results of a run of clipscope\n\n- [report.html](report.html) "));
+  CHECK(contains(without, "from commit 0123abc.\n"));
+  run.push_back(sample_answers("<svg/>"));
+  const std::string with = results_readme(store_of(run, folder.path));
+  CHECK(with.starts_with(
+      "# Results of a run of clipscope\n\n- **Where should a triangle be clipped?** In clip space, if a < b. ([sample](sample/))\n"));
+  CHECK(contains(with, "\n\n- [report.html](report.html) "));
 }
 
 TEST_CASE("results: many pictures are a link to the folder") {

@@ -74,12 +74,9 @@ TEST_CASE("convex windows: every method is judged, timed against Cyrus-Beck, and
   }
 }
 
-TEST_CASE("convex windows: the finding and the plot are made from rows alone") {
+TEST_CASE("convex windows: the plot is made from rows alone") {
   std::vector<ConvexRow> rows = {row(4, "slow", 10), row(4, "quick", 5), row(1024, "slow", 1),
                                  row(1024, "quick", 2)};
-  CHECK(
-      convex_finding(rows) ==
-      "Fastest in a convex window of 4 edges quick (2 times as fast as Cyrus-Beck), of 1024 edges slow (10 times as fast as Cyrus-Beck).");
   rows[2].timing.reset();
   const Plot plot = convex_plot(rows);
   REQUIRE(plot.series.size() == 2);
@@ -87,6 +84,5 @@ TEST_CASE("convex windows: the finding and the plot are made from rows alone") {
   CHECK(plot.series[0].x == std::vector<double>{4});
   CHECK(plot.series[1].x == std::vector<double>{4, 1024});
   CHECK(plot.series[1].y == std::vector<double>{5, 2});
-  CHECK(convex_finding({}).empty());
   CHECK(convex_plot({}).series.empty());
 }

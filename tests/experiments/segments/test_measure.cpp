@@ -153,7 +153,7 @@ TEST_CASE("segments: a pattern that means triangles only leaves the tables of cl
   std::filesystem::remove_all(out);
 }
 
-TEST_CASE("segments: the finding and the plots are made from rows alone") {
+TEST_CASE("segments: the plots are made from rows alone") {
   const auto row = [](const char* mix, const char* clipper, double ns, std::int64_t wrong) {
     TimeRow r{.mix = mix, .clipper = clipper, .scalar = "float"};
     r.timing = Timing{};
@@ -163,9 +163,6 @@ TEST_CASE("segments: the finding and the plots are made from rows alone") {
   };
   std::vector<TimeRow> times = {row("a", "slow", 2, 3), row("a", "quick", 1, 0),
                                 row("b", "slow", 2, 4), row("b", "quick", 3, 0)};
-  CHECK(
-      finding(times, {}, {}) ==
-      "Fastest in float, of 2 mixes: quick on 1, slow on 1. Wrong in float: 1 of 2 clippers (slow with 7 segments).");
   times[2].timing.reset();
   const Plot plot = time_plot(times);
   CHECK(plot.categories == std::vector<std::string>{"a", "b"});
@@ -176,5 +173,4 @@ TEST_CASE("segments: the finding and the plots are made from rows alone") {
   CHECK(plot.series[1].y == std::vector<double>{1, 3});
   CHECK(time_plot({}).series.empty());
   CHECK(divisions_plot({}).series.empty());
-  CHECK(finding({}, {}, {}).empty());
 }

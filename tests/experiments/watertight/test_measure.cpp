@@ -76,8 +76,8 @@ TEST_CASE("watertight: a promise that is not kept is broken, in the table and in
   const std::vector<SummaryRow> summary = summary_rows({measured[0].row, measured[1].row});
   CHECK(summary[0].promise == Verdict::broken);
   const std::string text = finding({}, summary);
-  CHECK(text.find("BROKEN: 1 of 2") != std::string::npos);
-  CHECK(text.find("textbook in float") != std::string::npos);
+  CHECK(text.find("are BROKEN by") != std::string::npos);
+  CHECK(text.find("the textbook clipper in float") != std::string::npos);
 }
 
 TEST_CASE("watertight: a clipper that drops triangles loses neighbours and has no crack") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What is said of shared edges, on rows made by hand.
+#include "experiments/table/prose.hpp"
 #include "experiments/watertight/rows.hpp"
 #include "tests/catch.hpp"
 
@@ -23,6 +24,13 @@ std::vector<Row> rows() {
     all.push_back(row(scene, "careless", "double", {8, 7, 0, 0, 1, 0, 1e-9}));
   }
   return all;
+}
+
+std::string checked(const std::vector<MeshRow>& meshes, const std::vector<Row>& by_scene) {
+  const std::string text = finding(meshes, summary_rows(by_scene));
+  INFO(text);
+  CHECK(faults_of_prose(text).empty());
+  return text;
 }
 
 }  // namespace
@@ -49,29 +57,39 @@ TEST_CASE("watertight: a promise broken in one scene is broken") {
 }
 
 TEST_CASE("watertight: the finding counts who is tight, and names the widest crack and loss") {
-  const std::string text = finding({}, summary_rows(rows()));
+  std::vector<Row> measured = rows();
   CHECK(
-      text ==
-      "16 mesh edges beside a cut: in float 1 of 2 clippers leave both neighbours the same bits; careless cracks by up to 0.500 px (in double 1.0e-09). 8 grazing edges beside a cut: in float 1 of 2 clippers leave both neighbours the same bits; careless cracks by up to 0.500 px (in double 1.0e-09). All 2 promises to be watertight are kept.");
+      checked({}, measured) ==
+      "Along mesh edges beside a cut 1 of 2 clippers leave both neighbours the same bits in float; along edges that graze a plane most do. The widest crack is that of careless. All promises to be watertight are kept.");
+  for (Row& r : measured) r.all = kTight;
+  CHECK(
+      checked({}, measured) ==
+      "Along mesh edges beside a cut all clippers leave both neighbours the same bits in float; along edges that graze a plane all do. No clipper cracks, and none loses a neighbour. All promises to be watertight are kept.");
   const Row lost = row("floor", "dropper", "float", {8, 4, 0, 4, 0, 20});
   CHECK(
-      finding({}, summary_rows({lost})) ==
-      "8 mesh edges beside a cut: in float 1 of 1 clippers leave both neighbours the same bits; dropper loses neighbours up to 20.0 px wide. None of them promises to be watertight.");
+      checked({}, {lost}) ==
+      "Along mesh edges beside a cut all clippers leave both neighbours the same bits in float. The widest lost neighbour is that of dropper. None of them promises to be watertight.");
+}
+
+TEST_CASE("watertight: a broken promise is named") {
+  const Row broken = row("teapot", "careful", "float", kCracked, Verdict::broken);
+  CHECK(
+      checked({}, {broken}).ends_with("Promises to be watertight are BROKEN by careful in float."));
 }
 
 TEST_CASE("watertight: what a mesh brought along is named first") {
   const MeshRow mesh{"tiles", 4, {.edges = 9, .open = 6, .t_junctions = 1}};
   const MeshRow closed{"teapot", 4, {.edges = 6}};
-  CHECK(finding({closed, mesh}, summary_rows(rows()))
-            .starts_with(
-                "Before any clipping tiles has 1 T-junction, up to 0 off the edge. 16 mesh"));
+  CHECK(checked({closed, mesh}, rows())
+            .starts_with("Before any clipping there may be cracks in tiles. Along mesh edges"));
 }
 
 TEST_CASE("watertight: where no edge lies beside a cut no promise is kept") {
   const Row none = row("teapot", "careful", "float", {}, Verdict::no_edge);
   CHECK(
-      finding({}, summary_rows({none})) ==
-      "No mesh edge lies beside a cut, so nothing was judged. No promise to be watertight could be judged.");
+      checked({}, {none}) ==
+      "No edge lies beside a cut, so nothing was judged. No promise to be watertight could be judged.");
+  CHECK(checked({}, {}) == "No clipper was asked for.");
   const Row kept = row("floor", "careful", "float", kTight, Verdict::kept);
   CHECK(summary_rows({kept, none})[0].promise == Verdict::kept);
 }

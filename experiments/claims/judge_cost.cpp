@@ -241,9 +241,10 @@ Evidence price_of_rounding(const std::vector<frontier::Row>& rows) {
   if (std::isinf(usual_ns)) {
     throw MissingFigure(fmt::format("table frontier has no time of {}", kClipSpace));
   }
-  const Contract contract = rows[0].contract;
-  return decided(fmt::format("{} {} {}", rows[0].set, contract == Contract::full ? "in" : "by",
-                             name_of(contract)),
+  const std::string input = rows[0].contract == Contract::full
+                                ? "from view space"
+                                : fmt::format("in a stage by {}", name_of(rows[0].contract));
+  return decided(fmt::format("{} {}", rows[0].set, input),
                  fmt::format("time of {} over the usual", right), right_ns / usual_ns, "times",
                  above(kExpensive));
 }

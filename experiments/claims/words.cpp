@@ -188,15 +188,15 @@ std::string spoken_lines(std::string_view name) {
 
 std::string where_text(const std::vector<std::string>& holding,
                        const std::vector<std::string>& failing, Speak speak) {
-  constexpr std::size_t kMostNamed = 3, kMostExcepted = 2;
+  constexpr std::size_t kLongest = 120;  // characters that a person takes in at once
   std::vector<std::string> all = holding;
   all.insert(all.end(), failing.begin(), failing.end());
   const std::vector<std::string> named = spoken_all(holding, all, speak);
   const std::vector<std::string> excepted = spoken_all(failing, all, speak);
-  if (excepted.size() < named.size() && excepted.size() <= kMostExcepted) {
-    return "The input is anything but " + either(excepted);
-  }
-  if (named.size() <= kMostNamed) return "The input consists of " + either(named);
+  const std::string where = excepted.size() < named.size()
+                                ? "The input is anything but " + either(excepted)
+                                : "The input consists of " + either(named);
+  if (where.size() <= kLongest) return where;
   return fmt::format("The input suits it, as {} of {} cases do", holding.size(), all.size());
 }
 

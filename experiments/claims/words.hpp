@@ -36,8 +36,8 @@ std::string spoken_triangles(std::string_view name);
 std::string spoken_lines(std::string_view name);
 
 // The cases in which something holds, as a condition: "The input consists of slivers or the
-// teapot", "The input is anything but slivers", or where both lists are long "The input suits it,
-// as 4 of 10 cases do". Neighbours on a scale are one: "lines in polygons of 8 or more edges".
+// teapot", "The input is anything but slivers", or where that is long "The input suits it, as 4
+// of 10 cases do". Neighbours on a scale are one: "lines in polygons of 8 or more edges".
 // Pre-condition: some hold, and some do not.
 std::string where_text(const std::vector<std::string>& holding,
                        const std::vector<std::string>& failing, Speak speak);

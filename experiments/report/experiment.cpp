@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "experiments/machine/progress.hpp"
 #include "experiments/store/run_recorder.hpp"
 #include "experiments/table/terminal.hpp"
 
@@ -32,6 +33,7 @@ void ExperimentContext::piece(const std::string& name, std::initializer_list<Tab
 void ExperimentContext::emit(const Table& table) const {
   recorder_->add(table);
   table.write(out_);
+  if (selection_.json || selection_.tables) clear_progress_line();
   if (selection_.json) {
     fmt::print("{}\n", table.to_json().dump());
   } else if (selection_.tables) {
@@ -49,7 +51,6 @@ void ExperimentContext::emit(const Plot& plot) const {
 
 void ExperimentContext::finding(const std::string& sentence) const {
   recorder_->set_finding(sentence);
-  if (!selection_.json) fmt::print("{}", indented(sentence));
 }
 
 std::optional<Table> ExperimentContext::emitted(const std::string& table_name) const {

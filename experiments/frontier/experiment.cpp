@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kTriangles = 6000;  // per set, over all its views
 constexpr std::size_t kQuickTriangles = 300;
-// Who is twice as slow as somebody at most as inaccurate is on no frontier, whatever its rounds say.
+// Who is twice as slow as somebody at most as inaccurate is on no frontier.
 constexpr double kFar = 2;
 
 struct Tables {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "experiments/machine/files.hpp"
+#include "experiments/machine/progress.hpp"
 #include "experiments/store/run_recorder.hpp"
 #include "experiments/table/terminal.hpp"
 
@@ -44,6 +45,7 @@ std::string ExperimentContext::in_results(const std::string& file) const {
 void ExperimentContext::emit(const Table& table) const {
   recorder_->add(table);
   table.write(out());
+  if (selection_.json || selection_.tables) clear_progress_line();
   if (selection_.json) {
     fmt::print("{}\n", table.to_json().dump());
   } else if (selection_.tables) {
@@ -62,7 +64,6 @@ void ExperimentContext::emit(const Plot& plot) const {
 
 void ExperimentContext::finding(const std::string& sentence) const {
   recorder_->set_finding(sentence);
-  if (!selection_.json) fmt::print("{}", indented(sentence));
 }
 
 std::optional<Table> ExperimentContext::emitted(const std::string& table_name) const {

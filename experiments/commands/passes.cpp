@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/commands/passes.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include "experiments/commands/run_text.hpp"
+#include "experiments/machine/errors.hpp"
+#include "experiments/machine/files.hpp"
+#include "experiments/machine/progress.hpp"
+#include "experiments/report/results_readme.hpp"
+#include "experiments/store/run_folder.hpp"
+#include "experiments/store/run_recorder.hpp"
+#include "experiments/table/terminal.hpp"
+
+namespace clipscope::experiments::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kFullToFirst = 6;  // what a full pass takes of a first one's time; on two cores
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// All chosen experiments, once.
+struct Pass {
+  const RunPlan& plan;
+  Selection selection;
+  fs::path out;
+  std::string label;  // in front of its progress
+  std::shared_ptr<RunRecorder> recorder = nullptr;
+  std::map<std::string, double> expected_seconds = {};  // by experiment; 1 where nothing is known
+};
+
+// How long the finished experiments of a run took.
+std::map<std::string, double> seconds_of(const ResultsStore& store) {
+  std::map<std::string, double> seconds;
+  for (const StoredExperiment& e : store.experiments()) {
+    if (e.finished) seconds[e.name] = e.seconds;
+  }
+  return seconds;
+}
+
+// What an older run with the same options took says how long this one will take.
+void expect_as_before(const fs::path& kept, const RunInfo& now, Pass& pass) {
+  try {
+    const ResultsStore before(kept);
+    if (value_of(before.run_info(), "options") != value_of(now, "options")) return;
+    for (const auto& [name, seconds] : seconds_of(before)) pass.expected_seconds[name] = seconds;
+  } catch (const InputError&) {  // it can't be read: then nothing is known of it
+  }
+}
+
+// info: see run_info_of.
+void open_recorder(const RunInfo& info, Pass& pass) {
+  const std::string out = pass.out.string();
+  const OpenedStore opened = pass.plan.resume ? resume_store(out, info) : start_store(out, info);
+  if (!opened.kept.empty()) {
+    fmt::print(stderr, "results of an older run are kept as {}\n", opened.kept.string());
+    expect_as_before(opened.kept, info, pass);
+  }
+  if (pass.plan.resume && !opened.resumed) {
+    fmt::print(stderr, "--resume: {} has no results yet; all are computed\n", out);
+  }
+  pass.recorder = std::make_shared<RunRecorder>(opened.database, opened.file);
+}
+
+std::string finding_of(const RunRecorder& recorder, const std::string& experiment) {
+  for (const StoredExperiment& e : recorder.store().experiments()) {
+    if (e.name == experiment) return e.finding;
+  }
+  return "";
+}
+
+void tell_findings(const Pass& pass, const ExperimentContext& context, const std::string& name) {
+  if (!pass.plan.findings || pass.selection.json) return;
+  clear_progress_line();
+  fmt::print("{}\n{}", name, indented(finding_of(*pass.recorder, name)));
+  context.tell_files();
+}
+
+std::vector<RunStep> steps_of(const Pass& pass) {
+  std::vector<RunStep> steps;
+  for (const auto& [experiment, position] : pass.plan.experiments) {
+    const std::string name(experiment->name);
+    const auto known = pass.expected_seconds.find(name);
+    steps.push_back({name, known == pass.expected_seconds.end() ? 1 : known->second});
+  }
+  return steps;
+}
+
+// Returns how long it took.
+double do_pass(const Pass& pass) {
+  const ExperimentContext context(pass.selection, pass.out, pass.recorder);
+  RunProgress progress(pass.label, steps_of(pass));
+  for (const auto& [experiment, position] : pass.plan.experiments) {
+    const std::string name(experiment->name), question(experiment->question);
+    const auto start = std::chrono::steady_clock::now();
+    progress.show(question);
+    pass.recorder->begin({name, question, run_command(pass.selection, name), "", 0, false},
+                         position);
+    experiment->run(context);
+    pass.recorder->finish(seconds_since(start));
+    progress.finish_step(seconds_since(start));
+    tell_findings(pass, context, name);
+  }
+  write_report(pass.recorder->store(), pass.out, pass.plan.page);
+  write_results_readme(pass.recorder->store(), pass.out);
+  return progress.elapsed();
+}
+
+// The answers of a pass, and how to ask further.
+void tell_answers(const Pass& pass) {
+  if (pass.plan.selection.json) return;
+  fmt::print("{}", closing_text(pass.recorder->added("answers"),
+                                (pass.plan.out / kReportFile).string(), pass.out.string()));
+  std::fflush(stdout);
+}
+
+// Until the full pass writes it, the page of the run is the one of the first pass.
+void lead_to_first_pass(const fs::path& out) {
+  write_file(out / kReportFile, fmt::format(R"(<!DOCTYPE html>
+<meta charset="utf-8">
+<meta http-equiv="refresh" content="0; url={0}/{1}">
+<title>clipscope: first pass</title>
+<p>The full pass is in work. <a href="{0}/{1}">The first pass</a> has answers already.</p>
+)",
+                                            kFirstPassFolder, kReportFile));
+}
+
+// What can't be removed does no harm.
+void remove_first_pass(const fs::path& out) {
+  std::error_code ignored;
+  fs::remove_all(out / kFirstPassFolder, ignored);
+}
+
+// A quick pass over everything, in a folder of its own. Returns how long each experiment took. A
+// run that is resumed has none once its full pass has begun.
+std::map<std::string, double> make_first_pass(const RunPlan& plan) {
+  if (plan.resume && fs::exists(plan.out / kStoreFile)) return {};
+  Pass pass{plan, plan.selection, plan.out / kFirstPassFolder, "first pass"};
+  pass.selection.quick = true;
+  pass.selection.pictures = pass.selection.tables = pass.selection.json = false;
+  if (!plan.resume) remove_first_pass(plan.out);
+  write_file(pass.out / "README.md", "Quick results, until the full pass is done.\n");
+  RunInfo info = run_info_of(pass.selection);
+  info.emplace_back("pass", "first");
+  open_recorder(info, pass);
+  const double seconds = do_pass(pass);
+  lead_to_first_pass(plan.out);
+  if (!plan.selection.json) {
+    fmt::print("First pass, of few triangles and rounds, after {:.0f} s; the full one follows.\n\n",
+               seconds);
+  }
+  tell_answers(pass);
+  return seconds_of(pass.recorder->store());
+}
+
+}  // namespace
+
+void run_passes(const RunPlan& plan) {
+  Pass pass{plan, plan.selection, plan.out, "run"};
+  if (plan.first_pass) {
+    pass.label = "full pass";
+    pass.expected_seconds = make_first_pass(plan);
+    for (auto& [name, seconds] : pass.expected_seconds) seconds *= kFullToFirst;
+  }
+  open_recorder(run_info_of(pass.selection), pass);
+  const double seconds = do_pass(pass);
+  remove_first_pass(plan.out);
+  fmt::print(stderr, "all done in {:.0f} s\n", seconds);
+  tell_answers(pass);
+}
+
+}  // namespace clipscope::experiments::commands

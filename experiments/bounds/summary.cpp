@@ -22,6 +22,8 @@ Plot bars(Plot plot, const std::vector<Row>& all, const Figure& figure) {
   return plot;
 }
 
+constexpr double kNoticeable = 1.05;  // a smaller speedup is none
+
 double speedup_of(const Row& row) { return row.speedup->median; }
 
 // What is lost is an error of a bound, and so is an accepted object of which something is cut.
@@ -53,7 +55,8 @@ std::string time_sentence(const std::vector<Row>& rows) {
   for (const std::string& scene : distinct(timed, &Row::scene)) {
     const std::vector<Row> of_scene = rows_where(timed, &Row::scene, scene);
     const Row& best = *std::ranges::max_element(of_scene, {}, speedup_of);
-    (best.speedup->low > 1 ? faster : others).push_back(spoken_set(scene));
+    const bool pays = best.speedup->low > 1 && speedup_of(best) > kNoticeable;
+    (pays ? faster : others).push_back(spoken_set(scene));
   }
   if (faster.empty()) return " They make clipping faster on no scene.";
   const Row& best = *std::ranges::max_element(timed, {}, speedup_of);

@@ -27,7 +27,7 @@ std::string float_sentence(const std::vector<PrecisionRow>& precision) {
   if (!reversed || !forward || !gl) return "";
   return fmt::format(
       "In a float buffer reversed depth {}: where far over near is a hundred thousand, a float pipeline fails to order {} % of neighbours with it, and up to {} % with the other conventions.",
-      *reversed < std::min(*forward, *gl) ? "is the most precise" : "is not the most precise",
+      *reversed < std::min(*forward, *gl) ? "is the most precise" : "is no more precise",
       format_number(*reversed), format_number(std::max(*forward, *gl)));
 }
 

@@ -116,7 +116,8 @@ std::string time_sentence(const std::vector<Row>& timed) {
                                  saved(*most), spoken_set(most->scene));
   if (least == most) return text + ".";
   const std::string on = spoken_set(least->scene);
-  if (saved(*least) < 0) return fmt::format("{}, and costs time on {}.", text, on);
+  if (least->times->to_full.low > 1) return fmt::format("{}, and costs time on {}.", text, on);
+  if (least->times->to_full.high >= 1) return fmt::format("{}, and nothing on {}.", text, on);
   return fmt::format("{}, and {:.0f} % on {}.", text, saved(*least), on);
 }
 

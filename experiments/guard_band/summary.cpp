@@ -11,7 +11,8 @@
 namespace clipscope::experiments::guard_band {
 namespace {
 
-constexpr double kShownBand = 16;  // the band that the finding speaks of
+constexpr double kShownBand = 16;     // the band that the finding speaks of
+constexpr double kNoticeable = 1.05;  // less is neither faster nor slower
 
 // One series per scene of the rows of the bands. y: a number or an interval, an optional of it.
 template <class F>
@@ -32,7 +33,9 @@ std::string time_sentence(const std::vector<WorkRow>& shown) {
   for (const WorkRow& row : shown) {
     if (!row.timing || !row.timing->speedup) continue;
     const MedianInterval& speedup = *row.timing->speedup;
-    (speedup.low > 1 ? faster : speedup.high < 1 ? slower : same).push_back(spoken_set(row.scene));
+    const bool is_faster = speedup.low > 1 && speedup.median > kNoticeable;
+    const bool is_slower = speedup.high < 1 && speedup.median < 1 / kNoticeable;
+    (is_faster ? faster : is_slower ? slower : same).push_back(spoken_set(row.scene));
   }
   const std::string band = fmt::format("guard band of {:g} half screens", kShownBand);
   if (faster.empty() && slower.empty() && same.empty()) {

@@ -67,9 +67,8 @@ std::string scenes_sentence(const std::vector<SceneRow>& scenes) {
   if (scenes.empty()) return "";
   const auto need = [](const SceneRow& row) { return row.above_1024; };
   const auto [least, most] = std::ranges::minmax_element(scenes, {}, need);
-  std::string text =
-      fmt::format(" With such a texture {} visible triangles on {} call for correction",
-                  quantity(need(*most) / 100), spoken_set(most->scene));
+  std::string text = fmt::format(" With such a texture {} visible parts call for correction on {}",
+                                 quantity(need(*most) / 100), spoken_set(most->scene));
   if (least != most) {
     text += fmt::format(", and {} on {}", quantity(need(*least) / 100), spoken_set(least->scene));
   }

@@ -17,7 +17,8 @@ constexpr double kNoticeable = 1.1;  // times as many wrong triangles
 std::string exact_sentence(const ExactOrders& exact) {
   if (exact.triangles == 0) return "No order was tried in exact arithmetic.";
   if (exact.differs == 0 && exact.wrong == 0) {
-    return "In exact arithmetic the order of the planes does not matter, even where w <= 0.";
+    return fmt::format("In exact arithmetic the order of the planes does not matter{}.",
+                       exact.mixed_w > 0 ? ", even where w <= 0" : "");
   }
   return fmt::format("Even in exact arithmetic the order of the planes matters, for {} triangles.",
                      quantity(static_cast<double>(std::max(exact.differs, exact.wrong)) /

@@ -48,8 +48,9 @@ std::string tight_sentence(const std::vector<SummaryRow>& summary) {
       some_of(std::ranges::count_if(rows, is_tight), std::ranges::ssize(rows), "clippers"),
       spoken_scalar(rows.front().scalar));
   if (mesh.empty() || grazing.empty()) return text + ".";
+  const double share = tight_share(grazing);
   return fmt::format("{}; along edges that graze a plane {} do.", text,
-                     quantity(tight_share(grazing)));
+                     share == 0 ? "none" : quantity(share));
 }
 
 // Whose crack is the widest, and who loses a neighbour, in the first scalar. Empty where nothing

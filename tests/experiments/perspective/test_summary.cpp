@@ -44,7 +44,7 @@ TEST_CASE("perspective: the finding follows the rows") {
   Tables t = tables();
   CHECK(
       checked(t) ==
-      "The bound of the error without perspective correction does not hold: it is attained exactly at most ratios of w that were tried, and passed at some points. In a texture of 256 texels it reaches half a texel as soon as w varies by a factor of 1.5 along an edge. With such a texture few visible triangles on near call for correction, and few on far.");
+      "The bound of the error without perspective correction does not hold: it is attained exactly at most ratios of w that were tried, and passed at some points. In a texture of 256 texels it reaches half a texel as soon as w varies by a factor of 1.5 along an edge. With such a texture few visible parts call for correction on near, and few on far.");
   t.cuts.add({.ratio = 4, .clipper = "cvv/perspective", .scalar = "float", .max_error = 1e-7});
   CHECK(
       checked(t).ends_with("carries the same error into new vertices unless it corrects for it."));

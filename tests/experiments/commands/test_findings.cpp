@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The findings of a run, as a person reads them.
+#include <nlohmann/json.hpp>
+
+#include "experiments/table/prose.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/commands/program.hpp"
+
+using clipscope::experiments::faults_of_prose;
+
+namespace {
+
+// The finding that the run at a quoted path left for an experiment.
+std::string finding_of(const Folder& folder, const std::string& run, const std::string& name) {
+  const Result r = folder.run("table --run " + run + " --finding " + name);
+  INFO(r.err);
+  REQUIRE(r.code == 0);
+  return r.out.substr(0, r.out.find('\n'));
+}
+
+}  // namespace
+
+TEST_CASE("findings: each can be read at once, also where what it speaks of was not asked for",
+          "[slow]") {
+  const Folder folder;
+  const std::string run = quoted((folder.path() / "results").string());
+  const Result r = folder.run(
+      "run --quick --sample 8 --scalar float --clipper view/sutherland_hodgman --out " + run);
+  INFO(r.err);
+  REQUIRE(r.code == 0);
+  for (const auto& experiment : nlohmann::json::parse(folder.run("list experiments --json").out)) {
+    const auto name = experiment["name"].get<std::string>();
+    if (name == "claims" || name == "answers") continue;  // they sum up the others
+    const std::string finding = finding_of(folder, run, name);
+    INFO(name << ": " << finding);
+    CHECK(faults_of_prose(finding) == std::vector<std::string>{});
+  }
+}

@@ -20,6 +20,10 @@
 
 namespace clipscope::experiments::answers {
 
+// The experiments whose tables and pictures the answers come from, in the order of a run.
+inline constexpr std::array<std::string_view, 7> kEvidence = {
+    "cost", "frontier", "w_sign", "plane_order", "guard_band", "effects", "hard_cases"};
+
 // One question of the page, and where its evidence lies.
 struct Row {
   std::string id, question, answer, experiment, table;

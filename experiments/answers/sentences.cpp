@@ -74,19 +74,40 @@ std::string most_accurate(const Evidence& evidence) {
       least.space->place, least.px, most.px, most.space->place);
 }
 
-std::string price(const Evidence& evidence) {
-  const PriceList list = price_list(evidence.offers(Contract::copy));
-  if (list.steps.empty()) throw MissingFigure("no clipper was timed as a renderer's stage");
-  const PriceRow &first = list.steps.front(), &last = list.steps.back();
-  if (list.steps.size() == 1) {
-    return fmt::format("Nothing: {} is the fastest, and nobody is more accurate.", first.step);
+bool makes_no_mistake(const Offer& offer) {
+  return offer.quality.hard_wrong == 0 && offer.quality.hard_misrounded == 0;
+}
+
+// What is wrong with the answers of the fastest.
+std::string flaw_of(const Quality& quality) {
+  if (quality.hard_wrong > 0) {
+    return fmt::format("{:.0f} of a million hard triangles come out wrong", quality.hard_wrong);
   }
-  const bool is_certain = last.quality.hard_wrong == 0 && last.quality.hard_misrounded == 0;
+  return fmt::format("{} % of the coordinates of hard triangles are not the nearest floats",
+                     format_number(quality.hard_misrounded));
+}
+
+// What certainty costs a stage: the fastest that makes no mistake against the fastest.
+std::string price(const Evidence& evidence) {
+  const std::vector<Offer> offers = evidence.offers(Contract::copy);
+  const auto found = std::ranges::find_if(offers, makes_no_mistake);
+  if (offers.empty()) throw MissingFigure("no clipper was timed as a renderer's stage");
+  if (found == offers.end()) return "More than was tried: every clipper makes mistakes.";
+  const Offer &fastest = offers.front(), &certain = *found;
+  const std::string name = spoken_contestant(certain.clipper, certain.scalar),
+                    other = spoken_contestant(fastest.clipper, fastest.scalar);
+  if (found == offers.begin()) {
+    return fmt::format("Nothing: {} is the fastest as a renderer's stage, and makes no mistake.",
+                       name);
+  }
+  if (certain.ns.low <= fastest.ns.high) {
+    return fmt::format(
+        "Nothing that this run can measure: as a renderer's stage {}, which makes no mistake, is as fast as {}, with which {}.",
+        name, other, flaw_of(fastest.quality));
+  }
   return fmt::format(
-      "On the game-like mix a renderer's stage takes {:.0f} % more time with {}, which {}; with {}, the fastest, {:.0f} of a million hard triangles come out wrong.",
-      last.over_fastest_percent, last.step,
-      is_certain ? "makes no mistake" : "is the most accurate", first.step,
-      first.quality.hard_wrong);
+      "On the game-like mix a renderer's stage takes {:.0f} % more time with {}, which makes no mistake; with {}, the fastest, {}.",
+      100 * (certain.ns.median / fastest.ns.median - 1), name, other, flaw_of(fastest.quality));
 }
 
 std::string behind_the_eye(const Evidence& evidence) {

@@ -29,14 +29,15 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// All chosen experiments, once.
+// Some experiments, once.
 struct Pass {
   const RunPlan& plan;
+  const std::vector<PlannedExperiment>& experiments;
   Selection selection;
   fs::path out;
   std::string label;  // in front of its progress
   std::shared_ptr<RunRecorder> recorder = nullptr;
-  std::map<std::string, double> expected_seconds = {};  // by experiment; 1 where nothing is known
+  std::map<std::string, double> expected_seconds = {};  // by experiment, as far as known
 };
 
 // How long the finished experiments of a run took.
@@ -86,12 +87,17 @@ void tell_findings(const Pass& pass, const ExperimentContext& context, const std
   context.tell_files();
 }
 
+// Of what nothing is known the average is expected.
 std::vector<RunStep> steps_of(const Pass& pass) {
+  double average = pass.expected_seconds.empty() ? 1 : 0;
+  for (const auto& [name, seconds] : pass.expected_seconds) {
+    average += seconds / static_cast<double>(pass.expected_seconds.size());
+  }
   std::vector<RunStep> steps;
-  for (const auto& [experiment, position] : pass.plan.experiments) {
+  for (const auto& [experiment, position] : pass.experiments) {
     const std::string name(experiment->name);
     const auto known = pass.expected_seconds.find(name);
-    steps.push_back({name, known == pass.expected_seconds.end() ? 1 : known->second});
+    steps.push_back({name, known == pass.expected_seconds.end() ? average : known->second});
   }
   return steps;
 }
@@ -100,7 +106,7 @@ std::vector<RunStep> steps_of(const Pass& pass) {
 double do_pass(const Pass& pass) {
   const ExperimentContext context(pass.selection, pass.out, pass.recorder);
   RunProgress progress(pass.label, steps_of(pass));
-  for (const auto& [experiment, position] : pass.plan.experiments) {
+  for (const auto& [experiment, position] : pass.experiments) {
     const std::string name(experiment->name), question(experiment->question);
     const auto start = std::chrono::steady_clock::now();
     progress.show(question);
@@ -141,11 +147,11 @@ void remove_first_pass(const fs::path& out) {
   fs::remove_all(out / kFirstPassFolder, ignored);
 }
 
-// A quick pass over everything, in a folder of its own. Returns how long each experiment took. A
-// run that is resumed has none once its full pass has begun.
+// A quick pass in a folder of its own. Returns how long each experiment took. A run that is resumed
+// has none once its full pass has begun.
 std::map<std::string, double> make_first_pass(const RunPlan& plan) {
   if (plan.resume && fs::exists(plan.out / kStoreFile)) return {};
-  Pass pass{plan, plan.selection, plan.out / kFirstPassFolder, "first pass"};
+  Pass pass{plan, plan.first_pass, plan.selection, plan.out / kFirstPassFolder, "first pass"};
   pass.selection.quick = true;
   pass.selection.pictures = pass.selection.tables = pass.selection.json = false;
   if (!plan.resume) remove_first_pass(plan.out);
@@ -166,8 +172,8 @@ std::map<std::string, double> make_first_pass(const RunPlan& plan) {
 }  // namespace
 
 void run_passes(const RunPlan& plan) {
-  Pass pass{plan, plan.selection, plan.out, "run"};
-  if (plan.first_pass) {
+  Pass pass{plan, plan.experiments, plan.selection, plan.out, "run"};
+  if (!plan.first_pass.empty()) {
     pass.label = "full pass";
     pass.expected_seconds = make_first_pass(plan);
     for (auto& [name, seconds] : pass.expected_seconds) seconds *= kFullToFirst;

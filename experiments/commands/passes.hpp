@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What `clipscope run` does: a quick first pass over everything, whose answers are there within a
-// minute or so, then the full pass, whose page replaces that of the first.
+// What `clipscope run` does: a quick first pass over what the answers need, which are there within
+// a minute or so, then the full pass over everything, whose page replaces that of the first.
 //
 // The first pass has a store and a page of its own in the folder first_pass of the run's folder;
 // its run says "pass": "first". The page of the run leads there until the full pass writes it; the
@@ -29,10 +29,10 @@ struct RunPlan {
   Selection selection;
   std::filesystem::path out;
   bool resume = false;
-  bool first_pass = false;
   bool findings = false;  // print what each found, and where its files are
   PageForm page = PageForm::folder;
   std::vector<PlannedExperiment> experiments;
+  std::vector<PlannedExperiment> first_pass = {};  // done quickly before; none: no first pass
 };
 
 // Progress goes to standard error, answers and findings to standard output. A run that is resumed

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "experiments/answers/rows.hpp"
 #include "experiments/commands/options.hpp"
 #include "experiments/commands/passes.hpp"
 #include "experiments/machine/files.hpp"
@@ -50,6 +51,13 @@ std::vector<PlannedExperiment> planned(const std::vector<std::string>& names) {
   return names.empty() ? all : chosen;
 }
 
+// What the answers are computed from, and they themselves.
+std::vector<std::string> answers_and_evidence() {
+  std::vector<std::string> names(answers::kEvidence.begin(), answers::kEvidence.end());
+  names.emplace_back("answers");
+  return names;
+}
+
 // What is named twice is run once.
 void drop_repeated(std::vector<std::string>& names) {
   std::set<std::string> seen;
@@ -87,12 +95,14 @@ int run_experiments(RunOptions options) {
   run_passes({.selection = options.selection,
               .out = options.out,
               .resume = options.resume,
-              // Who runs everything need not wait for the first answers until all is done.
-              .first_pass = is_all && !options.selection.quick && !options.no_first_pass,
               // Who names experiments wants to know what each found; the answers are those of all.
               .findings = options.findings || !is_all,
               .page = options.page,
-              .experiments = chosen});
+              .experiments = chosen,
+              // Who runs everything need not wait for the first answers until all is done.
+              .first_pass = is_all && !options.selection.quick && !options.no_first_pass
+                                ? planned(answers_and_evidence())
+                                : std::vector<PlannedExperiment>()});
   return kExitOk;
 }
 
@@ -101,8 +111,8 @@ int run_experiments(RunOptions options) {
 void add_run_command(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(
       app, action, run_experiments, "run", "Run experiments; write tables and pictures",
-      R"(All experiments make a quick pass first, whose page is there within a minute or so, then the full
-one, whose page replaces it. Printed are the answers; of experiments that are named their findings,
+      R"(What the answers need makes a quick pass first, whose page is there within a minute or so; the page
+of the full run replaces it. Printed are the answers; of experiments that are named their findings,
 and where their results are. Tables are written as Markdown, CSV and LaTeX, plots as SVG, PDF and
 PNG, pictures as PNG and EXR, each experiment's into a folder of its own, and everything into
 DIR/results.sqlite, piece by piece: a run that was interrupted is finished by the same command

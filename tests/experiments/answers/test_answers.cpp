@@ -51,15 +51,26 @@ TEST_CASE("answers: the most accurate space is named, or that there is none") {
   CHECK(says(answer_to(run, "accuracy"), "err alike"));
 }
 
-TEST_CASE("answers: the price is that of the last step that buys something") {
+TEST_CASE("answers: the price is that of the fastest that makes no mistake") {
   Fabricated run = sample_run();
   CHECK(says(answer_to(run, "price"), "takes 25 % more time"));
   CHECK(says(answer_to(run, "price"), "makes no mistake"));
   CHECK(says(answer_to(run, "price"), "8000 of a million"));
+  run.alter<frontier::Row>(
+      [](frontier::Row& r) {
+        r.timing->ns = {20, 16, 24};
+      },
+      &frontier::Row::set, kGameLike, &frontier::Row::contract, Contract::copy,
+      &frontier::Row::clipper, kRoundedBatch);
+  CHECK(says(answer_to(run, "price"), "Nothing that this run can measure"));
+  run.alter<frontier::Row>([](frontier::Row& r) { r.wrong_percent = 0; }, &frontier::Row::set,
+                           kHard, &frontier::Row::contract, Contract::copy, &frontier::Row::clipper,
+                           kBatch);
+  CHECK(says(answer_to(run, "price"), "40.0 % of the coordinates"));
   run.alter<frontier::Row>([](frontier::Row& r) { r.wrong_percent = 5.0; }, &frontier::Row::set,
                            kHard, &frontier::Row::contract, Contract::copy, &frontier::Row::clipper,
                            kRoundedBatch);
-  CHECK(says(answer_to(run, "price"), "nobody is more accurate"));
+  CHECK(says(answer_to(run, "price"), "every clipper makes mistakes"));
 }
 
 TEST_CASE("answers: dividing first does harm only where it fails more often") {

@@ -28,11 +28,12 @@ To ask further:
 // As many answers as fit into so many lines.
 std::string answers_text(const Table& answers, std::size_t room) {
   const std::size_t question = place_of(answers, "question"), answer = place_of(answers, "answer");
-  std::string text = answers.title() + "\n";
+  std::string text;
   std::size_t told = 0;
   for (const auto& row : answers.rows()) {
     const std::string block =
-        fmt::format("\n{}\n{}", format_cell(row[question]), indented(format_cell(row[answer])));
+        fmt::format("{}{}\n{}", told == 0 ? "" : "\n", format_cell(row[question]),
+                    indented(format_cell(row[answer])));
     const bool last = told + 1 == answers.rows().size();
     if (lines_of(text + block) + (last ? 0 : 2) > room) break;
     text += block;

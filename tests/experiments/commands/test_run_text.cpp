@@ -27,7 +27,7 @@ std::string closing(const std::optional<Table>& table) {
 
 TEST_CASE("run text: the answers come first, then the page and three ways to ask further") {
   const std::string text = closing(answers(2, "In clip space."));
-  CHECK(text.starts_with("Where should a triangle be clipped?\n\nQuestion 0?\n  In clip space.\n"));
+  CHECK(text.starts_with("Question 0?\n  In clip space.\n"));
   CHECK(text.find("Question 1?") < text.find("r/report.html"));
   for (const char* command :
        {"clipscope table [NAME] --run r", "clipscope explain", "clipscope verify"}) {

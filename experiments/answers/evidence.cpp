@@ -65,14 +65,11 @@ Name judged_as(const std::string& clipper, const std::string& scalar) {
   return form == kScalarForms.end() ? Name(clipper, scalar) : form->second;
 }
 
-Evidence::Evidence(const Results& results)
-    : results_(results), offers_(joined(results.rows<frontier::Row>())) {
-  read_verdicts();
-}
+Contest::Contest(const Results& results) : offers_(joined(results.rows<frontier::Row>())) {}
 
-void Evidence::read_verdicts() {
+Catalogue::Catalogue(const Results& results) {
   std::set<std::string> known;
-  for (const hard_cases::VerdictRow& row : results_.rows<hard_cases::VerdictRow>()) {
+  for (const hard_cases::VerdictRow& row : results.rows<hard_cases::VerdictRow>()) {
     const std::string theme = row.hard_case.substr(0, row.hard_case.find('/'));
     if (!cases_.contains(theme)) themes_.push_back(theme);
     if (known.insert(row.hard_case).second) ++cases_[theme];
@@ -81,13 +78,13 @@ void Evidence::read_verdicts() {
   }
 }
 
-std::vector<Offer> Evidence::offers(Contract contract) const {
+std::vector<Offer> Contest::offers(Contract contract) const {
   std::vector<Offer> offers = offers_;
   std::erase_if(offers, [&](const Offer& o) { return o.contract != contract; });
   return offers;
 }
 
-const Offer& Evidence::offer(const Name& name, Contract contract) const {
+const Offer& Contest::offer(const Name& name, Contract contract) const {
   for (const Contract wanted : {contract, Contract::full}) {
     const auto found = std::ranges::find_if(offers_, [&](const Offer& o) {
       return o.contract == wanted && Name(o.clipper, o.scalar) == name;
@@ -97,14 +94,14 @@ const Offer& Evidence::offer(const Name& name, Contract contract) const {
   throw MissingFigure(fmt::format("{} {} was not timed on {}", name.first, name.second, kGameLike));
 }
 
-Tally Evidence::tally(const Name& name, const std::string& theme) const {
+Tally Catalogue::tally(const Name& name, const std::string& theme) const {
   const auto contestant = tallies_.find(name);
   if (contestant == tallies_.end()) return {};
   const auto found = contestant->second.find(theme);
   return found == contestant->second.end() ? Tally() : found->second;
 }
 
-Tally Evidence::tally(const Name& name) const {
+Tally Catalogue::tally(const Name& name) const {
   Tally sum;
   for (const std::string& theme : themes_) sum += tally(name, theme);
   return sum;

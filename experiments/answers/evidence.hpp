@@ -63,30 +63,37 @@ using Name = std::pair<std::string, std::string>;  // clipper, scalar
 // The catalogue's cases are mostly in clip space, which batch clippers take in a stage alone.
 Name judged_as(const std::string& clipper, const std::string& scalar);
 
-class Evidence {
+// Who was timed and judged on the same triangles.
+class Contest {
  public:
-  // Errors: MissingFigure, if the run has no frontier or no verdicts.
-  explicit Evidence(const Results& results);
+  // Errors: MissingFigure, if the run has no frontier.
+  explicit Contest(const Results& results);
 
-  const Results& results() const { return results_; }
   // Of a contract, by time.
   std::vector<Offer> offers(Contract contract) const;
   // Under that contract, or the full one if it was not timed in that. Errors: MissingFigure, if it
   // was timed in neither.
   const Offer& offer(const Name& name, Contract contract) const;
-  // The themes of the catalogue, in its order.
+
+ private:
+  std::vector<Offer> offers_;
+};
+
+// Who fails on which of the hard cases.
+class Catalogue {
+ public:
+  // Errors: MissingFigure, if the run has no verdicts.
+  explicit Catalogue(const Results& results);
+
+  // In the order of the catalogue.
   const std::vector<std::string>& themes() const { return themes_; }
+  // The number of cases in a theme.
+  std::int64_t cases(const std::string& theme) const { return cases_.at(theme); }
   // How a contestant did on a theme, or on all; nothing counted if it was not asked.
   Tally tally(const Name& name, const std::string& theme) const;
   Tally tally(const Name& name) const;
-  // The number of cases in a theme.
-  std::int64_t cases(const std::string& theme) const { return cases_.at(theme); }
 
  private:
-  void read_verdicts();
-
-  const Results& results_;
-  std::vector<Offer> offers_;
   std::vector<std::string> themes_;
   std::map<std::string, std::int64_t> cases_;
   std::map<Name, std::map<std::string, Tally>> tallies_;

@@ -22,25 +22,26 @@ std::string idle_text(Contract contract, std::vector<std::string> idle) {
                      more > 0 ? fmt::format("; and {} more (table frontier)", more) : "");
 }
 
-void emit_prices(const ExperimentContext& context, const Evidence& evidence) {
+void emit_prices(const ExperimentContext& context, const Results& results) {
+  const Contest contest(results);
   TableOf<PriceRow> table;
   for (const Contract contract : {Contract::copy, Contract::full}) {
-    const PriceList prices = price_list(evidence.offers(contract));
+    const PriceList prices = price_list(contest.offers(contract));
     for (const PriceRow& step : prices.steps) table.add(step);
     if (!prices.idle.empty()) table.add_note(idle_text(contract, prices.idle));
   }
   table.add_note(machine_description());
   context.emit(table);
-  const std::vector<Offer> full = evidence.offers(Contract::full);
+  const std::vector<Offer> full = contest.offers(Contract::full);
   if (!full.empty()) context.emit(hero_plot(full, price_list(full)));
 }
 
-void emit_readers(const ExperimentContext& context, const Evidence& evidence) {
+void emit_readers(const ExperimentContext& context, const Results& results) {
   const auto has_file = [&](const std::string& file) {
     return std::filesystem::exists(context.out().parent_path() / file);
   };
   TableOf<ReaderRow> table;
-  for (const ReaderRow& row : readers(evidence, has_file)) table.add(row);
+  for (const ReaderRow& row : readers(results, has_file)) table.add(row);
   context.emit(table);
 }
 
@@ -65,12 +66,9 @@ void run(const ExperimentContext& context) {
   TableOf<Row> table;
   for (const Row& row : answers(results)) table.add(row);
   context.emit(table);
-  if_there([&] {
-    const Evidence evidence(results);
-    emit_prices(context, evidence);
-    emit_readers(context, evidence);
-    context.emit(stability_table(evidence));
-  });
+  if_there([&] { emit_prices(context, results); });
+  if_there([&] { emit_readers(context, results); });
+  if_there([&] { context.emit(stability_table(Catalogue(results))); });
   if_there([&] { emit_effects(context, results); });
   context.finding(table.rows().front().answer);
 }

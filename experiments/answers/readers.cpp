@@ -26,6 +26,12 @@ struct Needs {
   std::vector<std::string> themes = {};  // no failure on these; "all": on none
 };
 
+struct Evidence {
+  const Results& results;
+  Contest contest;
+  Catalogue catalogue;
+};
+
 struct Reader {
   std::string name, needs_text;
   Contract contract;
@@ -73,7 +79,7 @@ bool is_confined(const Name& name) {
 }
 
 Tally tally_on(const Evidence& evidence, const Name& name, const std::string& theme) {
-  return theme == "all" ? evidence.tally(name) : evidence.tally(name, theme);
+  return theme == "all" ? evidence.catalogue.tally(name) : evidence.catalogue.tally(name, theme);
 }
 
 // What of the needs a contestant lacks, as the end of a sentence that begins with its name; empty
@@ -108,7 +114,7 @@ std::string lacking(const Evidence& evidence, const Needs& needs, const Offer& o
 std::string otherwise(const Evidence& evidence, const Reader& reader) {
   try {
     const std::string what =
-        lacking(evidence, reader.needs, evidence.offer(reader.often_used, reader.contract));
+        lacking(evidence, reader.needs, evidence.contest.offer(reader.often_used, reader.contract));
     return fmt::format(
         "{} {}.", capitalised(spoken_contestant(reader.often_used.first, reader.often_used.second)),
         what.empty() ? "would do as well" : what);
@@ -157,7 +163,7 @@ std::string if_known(F&& text) {
 ReaderRow row_for(const Evidence& evidence, const Reader& reader) {
   ReaderRow row{.reader = reader.name, .needs = reader.needs_text};
   row.otherwise = otherwise(evidence, reader);
-  const std::vector<Offer> offers = evidence.offers(reader.contract);
+  const std::vector<Offer> offers = evidence.contest.offers(reader.contract);
   const auto found = std::ranges::find_if(
       offers, [&](const Offer& o) { return lacking(evidence, reader.needs, o).empty(); });
   if (found == offers.end()) {
@@ -168,9 +174,8 @@ ReaderRow row_for(const Evidence& evidence, const Reader& reader) {
   row.recommended = spoken_contestant(found->clipper, found->scalar);
   row.clipper = found->clipper;
   row.scalar = found->scalar;
-  row.order =
-      if_known([&] { return order_text(evidence.results(), found->clipper, judged.second); });
-  row.guard = if_known([&] { return guard_text(evidence.results()); });
+  row.order = if_known([&] { return order_text(evidence.results, found->clipper, judged.second); });
+  row.guard = if_known([&] { return guard_text(evidence.results); });
   row.ns = found->ns.median;
   row.over_fastest_percent = 100 * (found->ns.median / offers.front().ns.median - 1);
   return row;
@@ -178,8 +183,9 @@ ReaderRow row_for(const Evidence& evidence, const Reader& reader) {
 
 }  // namespace
 
-std::vector<ReaderRow> readers(const Evidence& evidence,
+std::vector<ReaderRow> readers(const Results& results,
                                const std::function<bool(const std::string&)>& has_file) {
+  const Evidence evidence{results, Contest(results), Catalogue(results)};
   std::vector<ReaderRow> rows;
   for (const Reader& reader : all_readers()) {
     ReaderRow& row = rows.emplace_back(row_for(evidence, reader));

@@ -104,12 +104,12 @@ struct ReaderRow {
 };
 
 // has_file: whether the run has that file.
-std::vector<ReaderRow> readers(const Evidence& evidence,
+std::vector<ReaderRow> readers(const Results& results,
                                const std::function<bool(const std::string&)>& has_file);
 
 // Methods by themes of the catalogue: on how many cases of each a method fails; empty where it
 // takes none of them. The first row has the numbers of cases.
-Table stability_table(const Evidence& evidence);
+Table stability_table(const Catalogue& catalogue);
 
 struct EffectRow {
   std::string scene, called_for;

@@ -53,7 +53,8 @@ std::string where_fastest(const Results& results) {
       times[0].space->place, slower(1), times[1].space->place, slower(2), times[2].space->place);
 }
 
-std::string most_accurate(const Evidence& evidence) {
+std::string most_accurate(const Results& results) {
+  const Contest contest(results);
   struct Error {
     const Space* space;
     double px;
@@ -61,7 +62,7 @@ std::string most_accurate(const Evidence& evidence) {
   std::vector<Error> errors;
   for (const Space& space : kSpaces) {
     errors.push_back(
-        {&space, evidence.offer({space.clipper, kFloat}, Contract::full).quality.game_px});
+        {&space, contest.offer({space.clipper, kFloat}, Contract::full).quality.game_px});
   }
   std::ranges::stable_sort(errors, {}, &Error::px);
   const Error &least = errors.front(), &most = errors.back();
@@ -88,8 +89,8 @@ std::string flaw_of(const Quality& quality) {
 }
 
 // What certainty costs a stage: the fastest that makes no mistake against the fastest.
-std::string price(const Evidence& evidence) {
-  const std::vector<Offer> offers = evidence.offers(Contract::copy);
+std::string price(const Results& results) {
+  const std::vector<Offer> offers = Contest(results).offers(Contract::copy);
   const auto found = std::ranges::find_if(offers, makes_no_mistake);
   if (offers.empty()) throw MissingFigure("no clipper was timed as a renderer's stage");
   if (found == offers.end()) return "More than was tried: every clipper makes mistakes.";
@@ -110,10 +111,11 @@ std::string price(const Evidence& evidence) {
       100 * (certain.ns.median / fastest.ns.median - 1), name, other, flaw_of(fastest.quality));
 }
 
-std::string behind_the_eye(const Evidence& evidence) {
+std::string behind_the_eye(const Results& results) {
+  const Catalogue catalogue(results);
   const std::string theme = "w_sign";
-  const Tally divided = evidence.tally({"cvv/perspective", kFloat}, theme),
-              clipped = evidence.tally({"homogeneous/sutherland_hodgman", kFloat}, theme);
+  const Tally divided = catalogue.tally({"cvv/perspective", kFloat}, theme),
+              clipped = catalogue.tally({"homogeneous/sutherland_hodgman", kFloat}, theme);
   if (divided.cases == 0 || clipped.cases == 0) {
     throw MissingFigure("nobody was asked about " + theme);
   }
@@ -127,11 +129,12 @@ std::string behind_the_eye(const Evidence& evidence) {
       divided.failed_percent(), clipped.failed_percent());
 }
 
-std::string who_stays_right(const Evidence& evidence) {
+std::string who_stays_right(const Results& results) {
+  const Catalogue catalogue(results);
   std::vector<std::pair<Tally, std::string>> asked;
   std::int64_t most = 0;
   for (const std::string_view clipper : clipper_names()) {
-    const Tally tally = evidence.tally({std::string(clipper), kFloat});
+    const Tally tally = catalogue.tally({std::string(clipper), kFloat});
     most = std::max(most, tally.cases);
     asked.emplace_back(tally, clipper);
   }
@@ -171,19 +174,17 @@ std::string what_scenes_need(const Results& results) {
 
 struct Question {
   const char *id, *question, *experiment, *table;
-  std::string (*answer)(const Evidence&);
+  std::string (*answer)(const Results&);
 };
 
 constexpr Question kQuestions[] = {
-    {"space", "Where should a triangle be clipped?", "cost", "cost",
-     [](const Evidence& e) { return where_fastest(e.results()); }},
+    {"space", "Where should a triangle be clipped?", "cost", "cost", where_fastest},
     {"accuracy", "Which space is the most accurate?", "frontier", "frontier", most_accurate},
     {"price", "What does accuracy cost in time?", "frontier", "answers_prices", price},
     {"w", "What about points behind the eye?", "w_sign", "hard_cases_verdicts", behind_the_eye},
     {"stability", "Who stays right on hard cases?", "hard_cases", "answers_stability",
      who_stays_right},
-    {"effects", "What of it does a scene need?", "effects", "answers_effects",
-     [](const Evidence& e) { return what_scenes_need(e.results()); }}};
+    {"effects", "What of it does a scene need?", "effects", "answers_effects", what_scenes_need}};
 
 }  // namespace
 
@@ -192,7 +193,7 @@ std::vector<Row> answers(const Results& results) {
   for (const Question& q : kQuestions) {
     std::string answer;
     try {
-      answer = q.answer(Evidence(results));
+      answer = q.answer(results);
     } catch (const MissingFigure& missing) {
       answer = fmt::format("This run does not say: {}.", missing.what());
     }

@@ -25,19 +25,19 @@ constexpr std::array kMethods = {
     Method{"cvv/perspective", "cvv/liang_barsky_naive", "", ""},
     Method{"whole/any_outside", "", "", ""}};
 
-Tally tally_of(const Evidence& evidence, const Method& method, const std::string& scalar,
+Tally tally_of(const Catalogue& catalogue, const Method& method, const std::string& scalar,
                const std::string& theme) {
   Tally sum;
   for (const std::string_view clipper :
        {method.triangles, method.segments, method.points, method.polygons}) {
-    if (!clipper.empty()) sum += evidence.tally({std::string(clipper), scalar}, theme);
+    if (!clipper.empty()) sum += catalogue.tally({std::string(clipper), scalar}, theme);
   }
   return sum;
 }
 
-std::vector<Column> columns_for(const Evidence& evidence) {
+std::vector<Column> columns_for(const Catalogue& catalogue) {
   std::vector<Column> columns = {{"method", "method", 26}, {"scalar", "scalar"}, {"all", "all"}};
-  for (const std::string& theme : evidence.themes()) {
+  for (const std::string& theme : catalogue.themes()) {
     std::string head = theme;
     std::ranges::replace(head, '_', ' ');
     columns.push_back({theme, head});
@@ -45,12 +45,12 @@ std::vector<Column> columns_for(const Evidence& evidence) {
   return columns;
 }
 
-std::vector<Cell> case_counts(const Evidence& evidence) {
+std::vector<Cell> case_counts(const Catalogue& catalogue) {
   std::vector<Cell> cells = {"cases", Cell(), Cell()};
   std::int64_t all = 0;
-  for (const std::string& theme : evidence.themes()) {
-    cells.emplace_back(evidence.cases(theme));
-    all += evidence.cases(theme);
+  for (const std::string& theme : catalogue.themes()) {
+    cells.emplace_back(catalogue.cases(theme));
+    all += catalogue.cases(theme);
   }
   cells[2] = all;
   return cells;
@@ -58,20 +58,20 @@ std::vector<Cell> case_counts(const Evidence& evidence) {
 
 }  // namespace
 
-Table stability_table(const Evidence& evidence) {
+Table stability_table(const Catalogue& catalogue) {
   Table table("answers_stability", "Which methods stay right: failures by theme of the hard cases",
-              columns_for(evidence));
+              columns_for(catalogue));
   table.add_note(
       "Failures: not finite, other vertices than the exact ones, or off by 1/256 px or more at 3840 x 2160. Empty: the method takes no such case; a method that takes clip coordinates is asked about more cases than one that starts in view space. Segments, points and polygons are clipped by the method's own form where it has one.");
-  table.add_row(case_counts(evidence));
+  table.add_row(case_counts(catalogue));
   for (const std::string scalar : {"float", "double"}) {
     for (const Method& method : kMethods) {
       const std::string triangles(method.triangles);
-      if (evidence.tally({triangles, scalar}).cases == 0) continue;
+      if (catalogue.tally({triangles, scalar}).cases == 0) continue;
       std::vector<Cell> cells = {spoken_clipper(triangles), scalar, Cell()};
       Tally all;
-      for (const std::string& theme : evidence.themes()) {
-        const Tally tally = tally_of(evidence, method, scalar, theme);
+      for (const std::string& theme : catalogue.themes()) {
+        const Tally tally = tally_of(catalogue, method, scalar, theme);
         cells.push_back(tally.cases == 0 ? Cell() : Cell(tally.failures));
         all += tally;
       }

@@ -83,7 +83,7 @@ std::string run_full(const ExperimentContext& context) {
 
 GrowthOptions growth_options(const Selection& selection) {
   GrowthOptions options{.seed = selection.seed, .clock = stage_clock(selection.quick)};
-  options.clock.rounds = std::min(options.clock.rounds, 15);
+  options.clock.rounds = std::min(options.clock.rounds, static_cast<int>(kLeastRounds));
   options.clock.check = {.triangles = 8192, .exact = selection.quick ? 8u : 64u};
   if (selection.quick) {
     options.soup = 40'000;

@@ -163,7 +163,8 @@ void measure_growth(Growing growing, const GrowthOptions& options, TableOf<Growt
     for (std::size_t n = kLeast; n <= options.most; n *= 10) {
       const Load load{std::min(n, options.soup), std::max(n, kLeastTotal)};
       if (n <= options.soup) {
-        time({n, load, load, clock.rounds}, input);
+        const Load baseline{load.size, std::min(load.total, share)};
+        time({n, load, baseline, clock.rounds}, input);
       } else {  // again and again: too long for the baseline
         time({n, load, {}, n > 10 * options.soup ? kFewest : kFewer}, input);
       }

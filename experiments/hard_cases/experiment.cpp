@@ -112,7 +112,9 @@ void judge_all_families(const ExperimentContext& context, const std::vector<std:
   for (const Primitive primitive : kPrimitives) {
     CaseSet set = case_set(primitive, context.selection(), scalars);
     if (set.contestants.empty()) continue;
-    if (context.selection().quick) set.cases = evenly_spaced(set.cases, set.cases.size() / 16 + 1);
+    // The tests judge the families of all cases.
+    const std::size_t part = context.selection().quick ? 16 : 3;
+    set.cases = evenly_spaced(set.cases, set.cases.size() / part + 1);
     const std::string name = fmt::format("families of {}s", name_of(primitive));
     context.piece(name, {&families, &policy}, [&](PieceRecord&) {
       Progress progress(name, 2 * set.cases.size());

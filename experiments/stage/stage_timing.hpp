@@ -63,7 +63,7 @@ double limit_ns(const StageBytes& bytes, const std::array<double, 3>& passes_ns,
 inline constexpr std::size_t kStageBlock = 4096;  // triangles per call
 
 struct StageClock {
-  int rounds = 31;
+  int rounds = 21;
   double milliseconds_per_run = 10;  // a contestant's part of a round; at least a block
   StageCheckOptions check = {};
 };

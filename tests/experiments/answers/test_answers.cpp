@@ -110,6 +110,9 @@ TEST_CASE("answers: what a run lacks is said in place of an answer") {
   for (const Row& row : answers(run.results())) {
     CHECK(says(row.answer, "This run does not say: table"));
   }
+  run.set(frontier_rows());
+  CHECK(says(answer_to(run, "price"), "takes 25 % more time"));
+  CHECK(says(answer_to(run, "stability"), "This run does not say"));
 }
 
 }  // namespace clipscope::experiments::answers

@@ -50,11 +50,11 @@ TEST_CASE("prices: the list goes from the fastest on, and names who buys nothing
 
 TEST_CASE("prices: offers are joined from both sets, by time, timed ones alone") {
   Fabricated run = sample_run();
-  CHECK(Evidence(run.results()).offers(Contract::full).front().clipper == kBatch);
-  CHECK(Evidence(run.results()).offers(Contract::copy).size() == 2);
+  CHECK(Contest(run.results()).offers(Contract::full).front().clipper == kBatch);
+  CHECK(Contest(run.results()).offers(Contract::copy).size() == 2);
   run.alter<frontier::Row>([](frontier::Row& r) { r.timing.reset(); }, &frontier::Row::contract,
                            Contract::copy);
-  const std::vector<Offer> offers = Evidence(run.results()).offers(Contract::copy);
+  const std::vector<Offer> offers = Contest(run.results()).offers(Contract::copy);
   REQUIRE(offers.size() == 1);
   CHECK(offers[0].clipper == kRoundedBatch);
 }
@@ -62,7 +62,7 @@ TEST_CASE("prices: offers are joined from both sets, by time, timed ones alone")
 TEST_CASE("hero: the steps are named, their prices stand on the line between them") {
   const Fabricated run = sample_run();
   const Results results = run.results();
-  const std::vector<Offer> offers = Evidence(results).offers(Contract::full);
+  const std::vector<Offer> offers = Contest(results).offers(Contract::full);
   const PriceList prices = price_list(offers);
   REQUIRE(prices.steps.size() == 3);
   const Plot plot = hero_plot(offers, prices);

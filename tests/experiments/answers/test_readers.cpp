@@ -11,8 +11,8 @@ namespace {
 
 ReaderRow row_for(const Fabricated& run, const std::string& words) {
   const Results results = run.results();
-  const std::vector<ReaderRow> rows = readers(
-      Evidence(results), [](const std::string& file) { return file.starts_with("w_sign/"); });
+  const std::vector<ReaderRow> rows =
+      readers(results, [](const std::string& file) { return file.starts_with("w_sign/"); });
   const auto found = std::ranges::find_if(
       rows, [&](const ReaderRow& r) { return r.reader.find(words) != std::string::npos; });
   REQUIRE(found != rows.end());
@@ -76,7 +76,7 @@ TEST_CASE("readers: order, guard band and picture are those of the run") {
 TEST_CASE("stability: failures by theme, nothing where a method takes no case") {
   const Fabricated run = sample_run();
   const Results results = run.results();
-  const Table table = stability_table(Evidence(results));
+  const Table table = stability_table(Catalogue(results));
   const std::size_t scale = place_of(table, "scale"), far = place_of(table, "far"),
                     all = place_of(table, "all");
   const auto row_of = [&](const std::string& method) {

@@ -123,5 +123,5 @@ TEST_CASE("bounds: the experiment of the same name is still run") {
                               quoted((folder.path() / "results").string()));
   INFO(r.err);
   CHECK(r.code == 0);
-  CHECK(std::filesystem::exists(folder.path() / "results" / "bounds.csv"));
+  CHECK(std::filesystem::exists(folder.path() / "results" / "bounds" / "bounds.csv"));
 }

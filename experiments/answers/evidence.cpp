@@ -54,6 +54,14 @@ bool buys_something(const Quality& worse, const Quality& better) {
   return halves;
 }
 
+std::string wrong_text(double per_million, std::string_view triangles) {
+  return fmt::format("gets {:.0f} of a million {} triangles wrong", per_million, triangles);
+}
+
+std::string misrounded_text(double percent) {
+  return fmt::format("misses the nearest float in {} % of the coordinates", format_number(percent));
+}
+
 Name judged_as(const std::string& clipper, const std::string& scalar) {
   static const std::map<std::string, Name> kScalarForms = {
       {"view/batch", {"view/sutherland_hodgman", "float"}},

@@ -36,6 +36,10 @@ inline constexpr double kRoundingPx = kHalfDiagonal / (1 << 23);
 // same but for 0.
 bool buys_something(const Quality& worse, const Quality& better);
 
+// Ends of sentences that begin with who errs: "gets 8660 of a million hard triangles wrong".
+std::string wrong_text(double per_million, std::string_view triangles);
+std::string misrounded_text(double percent);
+
 // A contestant that was timed on the game-like mix and judged there and on hard triangles.
 struct Offer {
   Contract contract = Contract::full;

@@ -87,9 +87,6 @@ Tally tally_on(const Evidence& evidence, const Name& name, const std::string& th
 std::string lacking(const Evidence& evidence, const Needs& needs, const Offer& offer) {
   const Name judged = judged_as(offer.clipper, offer.scalar);
   const Quality& q = offer.quality;
-  const auto wrong = [](double per_million, const char* triangles) {
-    return fmt::format("gets {:.0f} of a million {} triangles wrong", per_million, triangles);
-  };
   for (const std::string& theme : needs.themes) {
     const Tally tally = tally_on(evidence, judged, theme);
     if (tally.cases == 0) return "was not asked about these cases";
@@ -98,16 +95,13 @@ std::string lacking(const Evidence& evidence, const Needs& needs, const Offer& o
     std::ranges::replace(words, '_', ' ');
     return fmt::format("fails on {}", some_of(tally.failures, tally.cases, words));
   }
-  if (needs.right_on_game && q.game_wrong > 0) return wrong(q.game_wrong, "game-like");
+  if (needs.right_on_game && q.game_wrong > 0) return wrong_text(q.game_wrong, "game-like");
   if (needs.right_on_game && q.game_px >= kSubpixel) {
     return fmt::format("is off by {:.2g} px", q.game_px);
   }
-  if (needs.right_on_hard && q.hard_wrong > 0) return wrong(q.hard_wrong, "hard");
+  if (needs.right_on_hard && q.hard_wrong > 0) return wrong_text(q.hard_wrong, "hard");
   if (needs.confined && !is_confined(judged)) return "may leave a vertex outside the volume";
-  if (needs.nearest_floats && q.hard_misrounded > 0) {
-    return fmt::format("misses the nearest float in {} % of the coordinates",
-                       format_number(q.hard_misrounded));
-  }
+  if (needs.nearest_floats && q.hard_misrounded > 0) return misrounded_text(q.hard_misrounded);
   return "";
 }
 

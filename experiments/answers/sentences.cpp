@@ -79,13 +79,16 @@ bool makes_no_mistake(const Offer& offer) {
   return offer.quality.hard_wrong == 0 && offer.quality.hard_misrounded == 0;
 }
 
-// What is wrong with the answers of the fastest.
-std::string flaw_of(const Quality& quality) {
-  if (quality.hard_wrong > 0) {
-    return fmt::format("{:.0f} of a million hard triangles come out wrong", quality.hard_wrong);
-  }
-  return fmt::format("{} % of the coordinates of hard triangles are not the nearest floats",
-                     format_number(quality.hard_misrounded));
+// The fastest that gets triangles wrong, or else that misses nearest floats, and how often.
+// Pre-condition: the fastest of all does.
+std::string who_errs(const std::vector<Offer>& offers) {
+  const auto found =
+      std::ranges::find_if(offers, [](const Offer& o) { return o.quality.hard_wrong > 0; });
+  const Offer& offer = found == offers.end() ? offers.front() : *found;
+  const Quality& q = offer.quality;
+  return fmt::format(
+      "{} {}", spoken_contestant(offer.clipper, offer.scalar),
+      q.hard_wrong > 0 ? wrong_text(q.hard_wrong, "hard") : misrounded_text(q.hard_misrounded));
 }
 
 // What certainty costs a stage: the fastest that makes no mistake against the fastest.
@@ -94,21 +97,20 @@ std::string price(const Results& results) {
   const auto found = std::ranges::find_if(offers, makes_no_mistake);
   if (offers.empty()) throw MissingFigure("no clipper was timed as a renderer's stage");
   if (found == offers.end()) return "More than was tried: every clipper makes mistakes.";
-  const Offer &fastest = offers.front(), &certain = *found;
-  const std::string name = spoken_contestant(certain.clipper, certain.scalar),
-                    other = spoken_contestant(fastest.clipper, fastest.scalar);
+  const std::string name = spoken_contestant(found->clipper, found->scalar);
   if (found == offers.begin()) {
     return fmt::format("Nothing: {} is the fastest as a renderer's stage, and makes no mistake.",
                        name);
   }
-  if (certain.ns.low <= fastest.ns.high) {
+  const MedianInterval &certain = found->ns, &fastest = offers.front().ns;
+  if (certain.low <= fastest.high) {
     return fmt::format(
-        "Nothing that this run can measure: as a renderer's stage {}, which makes no mistake, is as fast as {}, with which {}.",
-        name, other, flaw_of(fastest.quality));
+        "Nothing that this run can measure: as a renderer's stage {}, which makes no mistake, is as fast as the fastest; {}.",
+        name, who_errs(offers));
   }
   return fmt::format(
-      "On the game-like mix a renderer's stage takes {:.0f} % more time with {}, which makes no mistake; with {}, the fastest, {}.",
-      100 * (certain.ns.median / fastest.ns.median - 1), name, other, flaw_of(fastest.quality));
+      "On the game-like mix a renderer's stage takes {:.0f} % more time with {}, which makes no mistake, than with the fastest; {}.",
+      100 * (certain.median / fastest.median - 1), name, who_errs(offers));
 }
 
 std::string behind_the_eye(const Results& results) {

@@ -138,8 +138,8 @@ StageInput crossing_input(int planes, std::size_t different, std::size_t times,
 void measure_growth(Growing growing, const GrowthOptions& options, TableOf<GrowthRow>& table,
                     PieceRecord& record) {
   constexpr std::size_t kLeast = 1000, kLeastTotal = 100'000, kTimes = 16;
-  constexpr int kFewer = 7, kFewest = 3;  // rounds, where one takes long
-  constexpr double kNsAtLeast = 100;      // of the baseline, per triangle
+  constexpr int kFewer = 7;           // rounds, where one takes long
+  constexpr double kNsAtLeast = 100;  // of the baseline, per triangle
   const StageClock& clock = options.clock;
   const auto share = static_cast<std::size_t>(clock.milliseconds_per_run * 1e6 / kNsAtLeast);
   const auto time = [&](const Point& point, const StageInput& input) {
@@ -163,10 +163,9 @@ void measure_growth(Growing growing, const GrowthOptions& options, TableOf<Growt
     for (std::size_t n = kLeast; n <= options.most; n *= 10) {
       const Load load{std::min(n, options.soup), std::max(n, kLeastTotal)};
       if (n <= options.soup) {
-        const Load baseline{load.size, std::min(load.total, share)};
-        time({n, load, baseline, clock.rounds}, input);
+        time({n, load, load, clock.rounds}, input);
       } else {  // again and again: too long for the baseline
-        time({n, load, {}, n > 10 * options.soup ? kFewest : kFewer}, input);
+        time({n, load, {}, kFewer}, input);
       }
     }
   } else {

@@ -234,8 +234,8 @@ void add_rows(const std::string& mix, const StageMeasurement& measured, TableOf<
 
 struct GrowthOptions {
   std::uint64_t seed = 1;
-  std::size_t soup = 1'000'000;    // triangles
-  std::size_t most = 100'000'000;  // triangles streamed
+  std::size_t soup = 1'000'000;   // triangles
+  std::size_t most = 10'000'000;  // triangles streamed
   std::size_t attribute_soup = 200'000;
   std::size_t crossing = 2048;  // different triangles by number of planes; each comes several times
   StageClock clock = {};

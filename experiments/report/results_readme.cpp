@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/machine/files.hpp"
+#include "experiments/report/page_source.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/store/run_folder.hpp"
 
@@ -62,8 +63,8 @@ std::string tables_cell(const ResultsStore& store, const std::string& experiment
 
 // A line for each answer of the run, with the folder of its evidence; empty without answers.
 std::string answers_list(const ResultsStore& store) {
-  if (!store.has_table("answers")) return "";
-  const Table answers = store.table("answers");
+  if (!store.has_table(kAnswers)) return "";
+  const Table answers = store.table(kAnswers);
   std::string list;
   for (const std::vector<Cell>& row : answers.rows()) {
     const auto text = [&](const char* key) { return full_text(row[place_of(answers, key)]); };

@@ -64,7 +64,7 @@ std::string first_broken_promise(const Contestant& contestant, Runner& runner,
 
 ContestClock contest_clock(bool quick) {
   if (quick) return {.rounds = 5, .milliseconds_per_run = 0.3, .checked = 24};
-  return {.rounds = 21, .milliseconds_per_run = 1.5, .checked = 256};
+  return {.rounds = 21, .milliseconds_per_run = 1.5, .checked = 128};
 }
 
 Task contest_task(const Contestant& contestant, std::span<const Batch> batches,

@@ -66,7 +66,7 @@ TEST_CASE("answers: the price is that of the fastest that makes no mistake") {
   run.alter<frontier::Row>([](frontier::Row& r) { r.wrong_percent = 0; }, &frontier::Row::set,
                            kHard, &frontier::Row::contract, Contract::copy, &frontier::Row::clipper,
                            kBatch);
-  CHECK(says(answer_to(run, "price"), "40.0 % of the coordinates"));
+  CHECK(says(answer_to(run, "price"), "misses the nearest float in 40.0 %"));
   run.alter<frontier::Row>([](frontier::Row& r) { r.wrong_percent = 5.0; }, &frontier::Row::set,
                            kHard, &frontier::Row::contract, Contract::copy, &frontier::Row::clipper,
                            kRoundedBatch);

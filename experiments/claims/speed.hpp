@@ -3,6 +3,8 @@
 // Times of float clippers as claims compare them.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 #include <string_view>
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "experiments/answers/rows.hpp"
 #include "experiments/contestants/spoken.hpp"
@@ -91,8 +89,7 @@ std::string lacking(const Evidence& evidence, const Needs& needs, const Offer& o
     const Tally tally = tally_on(evidence, judged, theme);
     if (tally.cases == 0) return "was not asked about these cases";
     if (tally.failures == 0) continue;
-    std::string words = theme == "all" ? "hard cases" : "hard cases of " + theme;
-    std::ranges::replace(words, '_', ' ');
+    const std::string words = theme == "all" ? "hard cases" : "hard cases of " + spoken_set(theme);
     return fmt::format("fails on {}", some_of(tally.failures, tally.cases, words));
   }
   if (needs.right_on_game && q.game_wrong > 0) return wrong_text(q.game_wrong, "game-like");

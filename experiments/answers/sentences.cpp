@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "experiments/answers/rows.hpp"
 #include "experiments/contestants/spoken.hpp"
@@ -43,7 +42,7 @@ std::string where_fastest(const Results& results) {
   const auto slower = [&](std::size_t i) {
     return times_text(times[i].figure.median / times[0].figure.median);
   };
-  if (times[1].figure.low <= times[0].figure.high) {
+  if (!is_below(times[0].figure, times[1].figure)) {
     return fmt::format(
         "In {} or in {}, which take the same time on the game-like mix; in {} the same method takes {} as long.",
         times[0].space->place, times[1].space->place, times[2].space->place, slower(2));
@@ -103,7 +102,7 @@ std::string price(const Results& results) {
                        name);
   }
   const MedianInterval &certain = found->ns, &fastest = offers.front().ns;
-  if (certain.low <= fastest.high) {
+  if (!is_below(fastest, certain)) {
     return fmt::format(
         "Nothing that this run can measure: as a renderer's stage {}, which makes no mistake, is as fast as the fastest; {}.",
         name, who_errs(offers));

@@ -37,11 +37,7 @@ Tally tally_of(const Catalogue& catalogue, const Method& method, const std::stri
 
 std::vector<Column> columns_for(const Catalogue& catalogue) {
   std::vector<Column> columns = {{"method", "method", 26}, {"scalar", "scalar"}, {"all", "all"}};
-  for (const std::string& theme : catalogue.themes()) {
-    std::string head = theme;
-    std::ranges::replace(head, '_', ' ');
-    columns.push_back({theme, head});
-  }
+  for (const std::string& theme : catalogue.themes()) columns.push_back({theme, spoken_set(theme)});
   return columns;
 }
 

@@ -17,13 +17,6 @@
 
 namespace clipscope::experiments::answers {
 
-inline Timing timing(double ns, double speedup = 1) {
-  Timing t;
-  t.ns = {ns, ns, ns};
-  t.speedup = {speedup, speedup, speedup};
-  return t;
-}
-
 // Rows of the frontier for the game-like mix and for hard triangles.
 inline void add_offer(std::vector<frontier::Row>& rows, const Offer& offer) {
   for (const bool is_hard : {false, true}) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/clock/clock.hpp"
 #include "experiments/table/results.hpp"
 
 namespace clipscope::experiments {
@@ -20,6 +21,14 @@ template <class Row, class V, class Value, class... Rest>
 void set_members(Row& row, V Row::*member, const Value& value, const Rest&... rest) {
   row.*member = value;
   set_members(row, rest...);
+}
+
+// A time that is known exactly.
+inline Timing timing(double ns, double speedup = 1) {
+  Timing t;
+  t.ns = {ns, ns, ns};
+  t.speedup = {speedup, speedup, speedup};
+  return t;
 }
 
 // A row that says no more than that.

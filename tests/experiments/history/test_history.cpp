@@ -15,13 +15,6 @@
 namespace clipscope::experiments::history {
 namespace {
 
-Timing timing(double ns, double speedup) {
-  Timing t;
-  t.ns = {ns, ns, ns};
-  t.speedup = {speedup, speedup, speedup};
-  return t;
-}
-
 const std::string kCodes = "window/cohen_sutherland", kParameters = "window/liang_barsky";
 
 Fabricated segments_in_plane() {

@@ -9,6 +9,7 @@
 #include "experiments/segments/literature.hpp"
 #include "experiments/selection/select.hpp"
 #include "tests/catch.hpp"
+#include "tests/experiments/claims/fabricated.hpp"
 
 using namespace clipscope;
 using namespace clipscope::experiments;
@@ -28,13 +29,6 @@ const Contestant& in_plane(std::string_view clipper, std::string_view scalar) {
 bool is_outside(const ClipSegments& segments, std::size_t segment, std::size_t end) {
   const float* p = segments.numbers.data() + 8 * segment + 4 * end;
   return std::abs(p[0]) > 1 || std::abs(p[1]) > 1;
-}
-
-Timing timing(double ns, double speedup) {
-  Timing t;
-  t.ns = {ns, ns, ns};
-  t.speedup = {speedup, speedup, speedup};
-  return t;
 }
 
 }  // namespace

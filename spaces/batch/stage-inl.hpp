@@ -251,23 +251,32 @@ class Stage {
     const float* const block = vertices + first * 3 * stride;
     Writer writer = begin_block(survivors.count);
     access_.tally().rejected += count - survivors.count;
-    for (std::size_t i = 0; i < survivors.count; ++i) {
+    std::size_t i = copy_run(block, first, survivors, 0, writer);
+    for (; i < survivors.count; i = copy_run(block, first, survivors, i + 1, writer)) {
       const std::size_t t = survivors.triangle[i];
       const float* v = block + 3 * t * stride;
-      if (survivors.any[i] == 0) {
-        copy_triangle(cutter_.shape, v, writer.next);
-        writer.add(first + t, 3);
-        ++access_.tally().inside;
-      } else {
-        padded_.set(cutter_.shape, v, v + stride, v + 2 * stride);
-        cut(survivors.any[i], first + t, writer, Place{i, survivors.count, survivors.any},
-            [&](std::size_t at, std::size_t, int vertex) {
-              return block +
-                     (3 * survivors.triangle[at] + static_cast<std::size_t>(vertex)) * stride;
-            });
-      }
+      padded_.set(cutter_.shape, v, v + stride, v + 2 * stride);
+      cut(survivors.any[i], first + t, writer, Place{i, survivors.count, survivors.any},
+          [&](std::size_t at, std::size_t, int vertex) {
+            return block + (3 * survivors.triangle[at] + static_cast<std::size_t>(vertex)) * stride;
+          });
     }
     access_.commit(writer);
+  }
+
+  // Copies survivors from `begin` on as long as they are inside, and returns the first that is not.
+  // Polygons are noted after the vertices: stores to two places in turn take twice as long.
+  HWY_INLINE std::size_t copy_run(const float* block, std::size_t first, const Survivors& survivors,
+                                  std::size_t begin, Writer& writer) const {
+    const std::size_t size = 3 * cutter_.shape.floats();
+    float* next = writer.next;
+    std::size_t end = begin;
+    for (; end < survivors.count && survivors.any[end] == 0; ++end, next += size) {
+      copy_triangle(cutter_.shape, block + survivors.triangle[end] * size, next);
+    }
+    writer.add_triangles(first, survivors.triangle + begin, end - begin);
+    access_.tally().inside += end - begin;
+    return end;
   }
 
   // The triangles of a block that need no cut. inside: where the writer's numbers began.

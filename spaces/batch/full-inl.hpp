@@ -148,7 +148,7 @@ class FullClipper {
     Writer writer = access.block(survivors.count);
     Tally& tally = access.tally();
     tally.rejected += count - survivors.count;
-    straddlers_.forget();
+    straddlers_.begin(survivors);
     const auto at = [&](std::size_t i, int v) {
       return memory.vertices + (3 * survivors.triangle[i] + static_cast<std::size_t>(v)) * stride;
     };

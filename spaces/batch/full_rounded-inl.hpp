@@ -127,7 +127,7 @@ class FullRoundedClipper {
     classify(vertices, count);
     Writer writer = access.block(survivors_.count);
     access.tally().rejected += count - survivors_.count;
-    queue_.forget();
+    queue_.begin(Cuts(survivors_).other);
     for (std::size_t i = 0; i < survivors_.count; ++i) {
       const std::size_t t = survivors_.triangle[i];
       int size = clip_in_double(vertices, i, writer.next);
@@ -182,7 +182,7 @@ class FullRoundedClipper {
       finite = finite && is_finite(points[v]);
     }
     if (any != 0 && !is_one_plane(any)) {
-      const std::size_t lane = lane_of(i, at);
+      const std::size_t lane = next_lane(at);
       return finite ? cut_planes(own, points, lane, out) : kGiveUp;
     }
     if (!finite) return kGiveUp;
@@ -195,14 +195,10 @@ class FullRoundedClipper {
   }
 
   template <class At>
-  HWY_INLINE std::size_t lane_of(std::size_t i, At& at) {
-    const auto needs = [&](std::size_t survivor) {
-      const unsigned any = survivors_.any[survivor];
-      return any != 0 && !is_one_plane(any);
-    };
-    return queue_.lane_of(i, survivors_.count, needs, [&](std::span<const std::size_t> members) {
+  HWY_INLINE std::size_t next_lane(At& at) {
+    return queue_.next([&](std::span<const std::size_t> members) {
       corners_.cut(planes_, members.size(),
-                   [&](std::size_t lane, int v) { return at(members[lane], v); });
+                   [&](std::size_t in, int v) { return at(members[in], v); });
     });
   }
 

@@ -68,7 +68,7 @@ class Stage {
 
   void reference(const TriangleStreams& in) {
     for_each_block(in.count, [&](std::size_t first, std::size_t count) {
-      Writer writer = begin_block(count);
+      Writer writer = access_.block(count);
       const std::uint32_t* const inside = writer.inside;
       survivors_.count = 0;
       const std::size_t whole = classify_streams(hn::ScalableTag<float>(), straddlers_.limits, in,
@@ -77,6 +77,7 @@ class Stage {
       count_uncut(count, inside, writer);
       held_.hold(straddlers_.shape, straddlers_.limits, in, first, survivors_);
       const auto at = [&](std::size_t i, int v) { return held_.vertex(straddlers_.shape, i, v); };
+      straddlers_.begin(survivors_);
       for (std::size_t i = 0; i < survivors_.count; ++i) cut(survivors_, i, at, first, writer);
       access_.commit(writer);
     });
@@ -88,11 +89,12 @@ class Stage {
     MeshBlock block;
     for_each_block(mesh.indices.size() / 3, [&](std::size_t first, std::size_t count) {
       const auto indices = mesh.indices.subspan(3 * first, 3 * count);
-      Writer writer = begin_block(count);
+      Writer writer = access_.block(count);
       const std::uint32_t* const inside = writer.inside;
       block.classify(codes, indices);
       block.sort(count, first, writer, survivors_);
       count_uncut(count, inside, writer);
+      straddlers_.begin(survivors_);
       cut_survivors(mesh.vertices.data, indices.data(), first, writer);
       access_.commit(writer);
     });
@@ -107,30 +109,20 @@ class Stage {
     }
   }
 
-  // Room for so many triangles.
-  HWY_INLINE Writer begin_block(std::size_t triangles) {
-    straddlers_.forget();
-    return access_.block(triangles);
-  }
-
   // Triangles [first, first + count), as classified.
   HWY_INLINE void copy_block(const float* vertices, std::size_t first, std::size_t count,
                              const Survivors& survivors) {
     const std::size_t stride = straddlers_.shape.floats();
     const float* const block = vertices + first * 3 * stride;
-    Writer writer = begin_block(survivors.count);
+    Writer writer = access_.block(survivors.count);
     access_.tally().rejected += count - survivors.count;
     const auto at = [&](std::size_t i, int v) {
       return block + (3 * survivors.triangle[i] + static_cast<std::size_t>(v)) * stride;
     };
-    for (std::size_t i = 0; i < survivors.count; ++i) {
-      if (survivors.any[i] != 0) {
-        cut(survivors, i, at, first, writer);
-        continue;
-      }
-      copy_triangle(straddlers_.shape, at(i, 0), writer.next);
-      writer.add(first + survivors.triangle[i], 3);
-      ++access_.tally().inside;
+    straddlers_.begin(survivors);
+    std::size_t i = copy_run(block, first, survivors, 0, writer);
+    for (; i < survivors.count; i = copy_run(block, first, survivors, i + 1, writer)) {
+      cut(survivors, i, at, first, writer);
     }
     access_.commit(writer);
   }
@@ -146,6 +138,21 @@ class Stage {
     if (codes.any == 0) *writer.inside++ = static_cast<std::uint32_t>(first + t);
     survivors_.triangle[survivors_.count] = static_cast<std::uint16_t>(t);
     survivors_.count += codes.any != 0 && (codes.all & kPlaneBits) == 0;
+  }
+
+  // Copies survivors from `begin` on as long as they are inside, and returns the first that is not.
+  // Polygons are noted after the vertices: stores to two places in turn take twice as long.
+  HWY_INLINE std::size_t copy_run(const float* block, std::size_t first, const Survivors& survivors,
+                                  std::size_t begin, Writer& writer) const {
+    const std::size_t size = 3 * straddlers_.shape.floats();
+    float* next = writer.next;
+    std::size_t end = begin;
+    for (; end < survivors.count && survivors.any[end] == 0; ++end, next += size) {
+      copy_triangle(straddlers_.shape, block + survivors.triangle[end] * size, next);
+    }
+    writer.add_triangles(first, survivors.triangle + begin, end - begin);
+    access_.tally().inside += end - begin;
+    return end;
   }
 
   // The triangles of a block that need no cut. inside: where the writer's numbers began.

@@ -17,11 +17,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
 
-// Whether one plane cuts, and nothing else is the matter.
-HWY_INLINE bool is_one_plane(unsigned any) {
-  return (any & kPlaneBits) != 0 && (any & (any - 1)) == 0;
-}
-
 // The planes of a volume in the order in which they cut, and by their bits.
 template <class Plane>
 class PlanesByBit {
@@ -88,7 +83,7 @@ class ChainCuts {
   ChainCuts(const S& shape, const Limits& limits, const Planes& planes, DepthRange)
       : chain_{shape, limits, planes} {}
 
-  void forget() {}
+  void begin(const Cuts&) {}
 
   template <class At>
   HWY_INLINE int cut_one(const Survivor<At>& s, const V* const vertex[3], const PlaneOf<M>& plane,
@@ -119,7 +114,13 @@ class LaneCuts : public ChainCuts<M, S, float> {
            const typename ChainCuts<M, S, float>::Planes& planes, DepthRange depth)
       : ChainCuts<M, S, float>(shape, limits, planes, depth), shape_(shape), lanes_(planes) {}
 
-  void forget() { queue_.forget(); }
+  void begin(const Cuts& cuts) {
+    Choice all;
+    for (std::size_t i = 0; i < std::size(all.bits); ++i) {
+      all.bits[i] = cuts.one.bits[i] | cuts.other.bits[i];
+    }
+    queue_.begin(all);
+  }
 
   template <class At>
   HWY_INLINE int cut_one(const Survivor<At>& s, const float* const vertex[3],
@@ -137,12 +138,9 @@ class LaneCuts : public ChainCuts<M, S, float> {
  private:
   template <class At>
   HWY_INLINE int cut(const Survivor<At>& s, const float* const vertex[3], float* out) {
-    const std::size_t lane = queue_.lane_of(
-        s.i, s.all.count, [&](std::size_t i) { return s.all.any[i] != 0; },
-        [&](std::span<const std::size_t> members) {
-          lanes_.cut(members.size(),
-                     [&](std::size_t lane, int v) { return s.at(members[lane], v); });
-        });
+    const std::size_t lane = queue_.next([&](std::span<const std::size_t> members) {
+      lanes_.cut(members.size(), [&](std::size_t in, int v) { return s.at(members[in], v); });
+    });
     return s.moderate ? lanes_.write(shape_, lane, vertex, out) : kGiveUp;
   }
 
@@ -160,37 +158,31 @@ class OriginalCuts {
   OriginalCuts(const S& shape, const ClipLimits&, const Planes& planes, DepthRange depth)
       : shape_(shape), planes_(planes), by_bit_(planes), depth_(depth) {}
 
-  void forget() {
-    ones_.forget();
-    others_.forget();
+  void begin(const Cuts& cuts) {
+    ones_.begin(cuts.one);
+    others_.begin(cuts.other);
   }
 
   template <class At>
   HWY_INLINE int cut_one(const Survivor<At>& s, const V* const vertex[3], const CodePlane& plane,
                          V* out, Tally& tally) {
-    const std::size_t lane = ones_.lane_of(
-        s.i, s.all.count, [&](std::size_t i) { return is_one_plane(s.all.any[i]); },
-        [&](std::span<const std::size_t> members) {
-          splits_.clear();
-          for (const std::size_t i : members) {
-            splits_.add(by_bit_[s.all.any[i]], [&](int v, int c) { return s.at(i, v)[c]; });
-          }
-          splits_.compute();
-        });
+    const std::size_t lane = ones_.next([&](std::span<const std::size_t> members) {
+      splits_.clear();
+      for (const std::size_t i : members) {
+        splits_.add(by_bit_[s.all.any[i]], [&](int v, int c) { return s.at(i, v)[c]; });
+      }
+      splits_.compute();
+    });
     return s.moderate ? way(tally).cut_one_plane(vertex, plane, splits_[lane], out) : kGiveUp;
   }
 
   template <class At>
   HWY_NOINLINE int cut_several(const Survivor<At>& s, const V* const vertex[3], V* out,
                                Tally& tally) {
-    const auto needs = [&](std::size_t i) {
-      return s.all.any[i] != 0 && !is_one_plane(s.all.any[i]);
-    };
-    const std::size_t lane =
-        others_.lane_of(s.i, s.all.count, needs, [&](std::span<const std::size_t> members) {
-          corners_.cut(planes_, members.size(),
-                       [&](std::size_t in, int v) { return s.at(members[in], v); });
-        });
+    const std::size_t lane = others_.next([&](std::span<const std::size_t> members) {
+      corners_.cut(planes_, members.size(),
+                   [&](std::size_t in, int v) { return s.at(members[in], v); });
+    });
     // Without a plane that cuts there are vertices (0, 0, 0, 0).
     if (!s.moderate || (s.any() & kPlaneBits) == 0) return kGiveUp;
     return way(tally).cut_planes(vertex, corners_, lane, out);
@@ -238,7 +230,7 @@ class Straddlers {
   const Limits limits;
 
   // To be called before the survivors of another block.
-  void forget() { cuts_.forget(); }
+  void begin(const Survivors& survivors) { cuts_.begin(Cuts(survivors)); }
 
   // Cuts survivor i of a block; to be called for each that is not inside, in turn. at(i, v): where
   // a vertex of a survivor lies. Vertices written to `out`, or kGiveUp: then the plain version has

@@ -120,9 +120,12 @@ class Stage {
       return block + (3 * survivors.triangle[i] + static_cast<std::size_t>(v)) * stride;
     };
     straddlers_.begin(survivors);
-    std::size_t i = copy_run(block, first, survivors, 0, writer);
-    for (; i < survivors.count; i = copy_run(block, first, survivors, i + 1, writer)) {
-      cut(survivors, i, at, first, writer);
+    for (std::size_t i = 0; i < survivors.count;) {
+      if (survivors.any[i] == 0) {
+        i = copy_run(block, first, survivors, i, writer);
+      } else {
+        cut(survivors, i++, at, first, writer);
+      }
     }
     access_.commit(writer);
   }

@@ -260,7 +260,7 @@ HWY_INLINE Codes triangle_codes(const ClipLimits& limits, const double* v, std::
 struct Survivors {
   std::uint32_t count = 0;
   std::uint16_t triangle[kBlock + kMostLanes];
-  std::uint8_t any[kBlock + kMostLanes];
+  std::uint8_t any[kBlock + 64];  // whole vectors may be read
 
   // Without a branch: what is not kept is overwritten.
   HWY_INLINE void add(std::size_t t, unsigned some, bool survives) {

@@ -62,6 +62,17 @@ HWY_INLINE void store(D d, hn::Vec<D> v, To* p) {
   }
 }
 
+// Eight floats in one register, where there is one.
+template <class D>
+HWY_INLINE void store_eight(D d, hn::Vec<D4> low, hn::Vec<D4> high, float* out) {
+  if constexpr (hn::MaxLanes(D()) == 8) {
+    hn::StoreU(hn::Combine(d, high, low), d, out);
+  } else {
+    hn::StoreU(low, kD4, out);
+    hn::StoreU(high, kD4, out + 4);
+  }
+}
+
 // Whether all coordinates and attributes of three vertices are finite, and so far from the largest
 // number that no difference or sum of two products with weights in [0, 1] overflows.
 template <class S, class V>

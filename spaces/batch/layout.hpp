@@ -16,11 +16,6 @@ namespace clipscope::batch {
 // Triangles are classified, then cut, in blocks: what some blocks read and write stays in cache.
 inline constexpr std::size_t kBlock = 256;
 
-// From so many blocks triangles are read in turn: to several streams memory delivers more than to
-// one.
-inline constexpr std::size_t kBlocksAtOnce = 4;
-inline constexpr std::size_t kGroup = kBlocksAtOnce * kBlock;
-
 // Room that is kept free behind the last vertex, since whole vectors are stored.
 inline constexpr std::size_t kSlack = 64;
 

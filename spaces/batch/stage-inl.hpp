@@ -58,11 +58,10 @@ class Stage {
 
   void copy(const VertexArray& in) {
     const std::size_t stride = straddlers_.shape.floats();
-    for_each_block<kGroup>(in.count / 3, [&](std::size_t first, std::size_t count) {
-      classify_group(straddlers_.limits, in.data + 3 * first * stride, stride, count, at_once_);
-      for_each_block(count, [&](std::size_t begin, std::size_t size) {
-        copy_block(in.data, first + begin, size, at_once_[begin / kBlock]);
-      });
+    for_each_block(in.count / 3, [&](std::size_t first, std::size_t count) {
+      const float* const block = in.data + 3 * first * stride;
+      classify_block(straddlers_.limits, block, stride, count, survivors_);
+      copy_block(block, first, count);
     });
   }
 
@@ -101,28 +100,28 @@ class Stage {
   }
 
  private:
-  // f(first, count) of each, kSize triangles but for the last.
-  template <std::size_t kSize = kBlock, class F>
+  // f(first, count) of each, kBlock triangles but for the last.
+  template <class F>
   static HWY_INLINE void for_each_block(std::size_t triangles, F&& f) {
-    for (std::size_t first = 0; first < triangles; first += kSize) {
-      f(first, std::min(kSize, triangles - first));
+    for (std::size_t first = 0; first < triangles; first += kBlock) {
+      f(first, std::min(kBlock, triangles - first));
     }
   }
 
   // Triangles [first, first + count), as classified.
-  HWY_INLINE void copy_block(const float* vertices, std::size_t first, std::size_t count,
-                             const Survivors& survivors) {
-    const std::size_t stride = straddlers_.shape.floats();
-    const float* const block = vertices + first * 3 * stride;
-    Writer writer = access_.block(survivors.count);
-    access_.tally().rejected += count - survivors.count;
+  HWY_INLINE void copy_block(const float* block, std::size_t first, std::size_t count) {
+    const std::size_t stride = straddlers_.shape.floats(), size = 3 * kBlock * stride;
+    Writer writer = access_.block(survivors_.count);
+    access_.tally().rejected += count - survivors_.count;
     const auto at = [&](std::size_t i, int v) {
-      return block + (3 * survivors.triangle[i] + static_cast<std::size_t>(v)) * stride;
+      return block + (3 * survivors_.triangle[i] + static_cast<std::size_t>(v)) * stride;
     };
-    straddlers_.begin(survivors);
-    std::size_t i = copy_run(block, first, survivors, 0, writer);
-    for (; i < survivors.count; i = copy_run(block, first, survivors, i + 1, writer)) {
-      cut(survivors, i, at, first, writer);
+    straddlers_.begin(survivors_);
+    NextLines next_block(block + size, size);
+    std::size_t i = copy_run(block, first, 0, writer);
+    for (; i < survivors_.count; i = copy_run(block, first, i + 1, writer)) {
+      next_block.prefetch_some();
+      cut(survivors_, i, at, first, writer);
     }
     access_.commit(writer);
   }
@@ -142,15 +141,15 @@ class Stage {
 
   // Copies survivors from `begin` on as long as they are inside, and returns the first that is not.
   // Polygons are noted after the vertices: stores to two places in turn take twice as long.
-  HWY_INLINE std::size_t copy_run(const float* block, std::size_t first, const Survivors& survivors,
-                                  std::size_t begin, Writer& writer) const {
+  HWY_INLINE std::size_t copy_run(const float* block, std::size_t first, std::size_t begin,
+                                  Writer& writer) const {
     const std::size_t size = 3 * straddlers_.shape.floats();
     float* next = writer.next;
     std::size_t end = begin;
-    for (; end < survivors.count && survivors.any[end] == 0; ++end, next += size) {
-      copy_triangle(straddlers_.shape, block + survivors.triangle[end] * size, next);
+    for (; end < survivors_.count && survivors_.any[end] == 0; ++end, next += size) {
+      copy_triangle(straddlers_.shape, block + survivors_.triangle[end] * size, next);
     }
-    writer.add_triangles(first, survivors.triangle + begin, end - begin);
+    writer.add_triangles(first, survivors_.triangle + begin, end - begin);
     access_.tally().inside += end - begin;
     return end;
   }
@@ -197,8 +196,7 @@ class Stage {
   Straddlers<M, K, float> straddlers_;
   const OutputAccess access_;
   Held<Shape<K>> held_;
-  Survivors survivors_;                           // of a block
-  std::array<Survivors, kBlocksAtOnce> at_once_;  // of a group
+  Survivors survivors_;  // of a block
 };
 
 }  // namespace clipscope::batch::HWY_NAMESPACE

@@ -37,13 +37,14 @@ struct Writer {
     end += static_cast<std::uint32_t>(vertices);
     *polygons++ = {static_cast<std::uint32_t>(triangle), end};
   }
-  // Notes so many triangles, numbers from `first` on, whose vertices were written to `next`.
-  void add_triangles(std::size_t first, const std::uint16_t* numbers, std::size_t count) {
-    const auto base = static_cast<std::uint32_t>(first);
+  // Notes so many triangles whose vertices were written to `next`; number(i): that of the i-th.
+  template <class F>
+  void add_triangles(std::size_t count, F&& number) {
     PolygonEnd* const to = polygons;
     const std::uint32_t begin = end;
     for (std::size_t i = 0; i < count; ++i) {
-      to[i] = {base + numbers[i], begin + 3 * static_cast<std::uint32_t>(i + 1)};
+      to[i] = {static_cast<std::uint32_t>(number(i)),
+               begin + 3 * static_cast<std::uint32_t>(i + 1)};
     }
     polygons += count;
     end += 3 * static_cast<std::uint32_t>(count);

@@ -58,11 +58,18 @@ class Stage {
 
   void copy(const VertexArray& in) {
     const std::size_t stride = straddlers_.shape.floats();
-    for_each_block(in.count / 3, [&](std::size_t first, std::size_t count) {
+    const std::size_t triangles = in.count / 3;
+    for (std::size_t first = 0; first < triangles;) {
       const float* const block = in.data + 3 * first * stride;
-      classify_block(straddlers_.limits, block, stride, count, survivors_);
-      copy_block(block, first, count);
-    });
+      std::size_t count = std::min(kBlock, triangles - first);
+      if (const std::size_t inside = copy_inside(block, first, count); inside != 0) {
+        count = inside;
+      } else {
+        classify_block(straddlers_.limits, block, stride, count, survivors_);
+        copy_block(block, first, count);
+      }
+      first += count;
+    }
   }
 
   void reference(const TriangleStreams& in) {
@@ -108,6 +115,26 @@ class Stage {
     }
   }
 
+  // Copies triangles from the first on, whole vectors of them, as long as they are inside; returns
+  // how many. A processor stores them while it classifies the next ones.
+  HWY_INLINE std::size_t copy_inside(const float* block, std::size_t first, std::size_t count) {
+    const ClipLimits own = straddlers_.limits;  // no store can be taken for one to them
+    const std::size_t stride = straddlers_.shape.floats(), size = 3 * kMostLanes * stride;
+    Writer writer = access_.block(count);
+    const float* from = block;
+    float* to = writer.next;
+    std::size_t copied = 0;
+    for (; copied + kMostLanes <= count; copied += kMostLanes, from += size, to += size) {
+      prefetch_ahead(from, size * sizeof(float));
+      if (!hn::AllTrue(kD16, classify_next(own, from, stride).inside(kD16))) break;
+      copy_floats(kD8, from, size, to);
+    }
+    writer.add_triangles(copied, [=](std::size_t i) { return first + i; });
+    access_.tally().inside += copied;
+    access_.commit(writer);
+    return copied;
+  }
+
   // Triangles [first, first + count), as classified.
   HWY_INLINE void copy_block(const float* block, std::size_t first, std::size_t count) {
     const std::size_t stride = straddlers_.shape.floats(), size = 3 * kBlock * stride;
@@ -149,7 +176,8 @@ class Stage {
     for (; end < survivors_.count && survivors_.any[end] == 0; ++end, next += size) {
       copy_triangle(straddlers_.shape, block + survivors_.triangle[end] * size, next);
     }
-    writer.add_triangles(first, survivors_.triangle + begin, end - begin);
+    writer.add_triangles(end - begin,
+                         [&](std::size_t i) { return first + survivors_.triangle[begin + i]; });
     access_.tally().inside += end - begin;
     return end;
   }

@@ -35,26 +35,30 @@ class LaneQueue {
   // The lane of the next one. cut(members): cuts those survivors, each in the lane of its place.
   template <class Cut>
   HWY_INLINE std::size_t next(Cut&& cut) {
-    if (next_ == filled_) {
-      std::size_t members[kLanes];
-      filled_ = next_ = 0;
-      while (filled_ < kLanes && word_ < kBlock / 64) {
-        std::uint64_t& bits = rest_.bits[word_];
-        if (bits == 0) {
-          ++word_;
-          continue;
-        }
-        members[filled_++] = 64 * word_ + static_cast<std::size_t>(std::countr_zero(bits));
-        bits &= bits - 1;
-      }
-      cut(std::span<const std::size_t>(members, filled_));
-    }
+    if (HWY_UNLIKELY(next_ == filled_)) cut(refill());
     return next_++;
   }
 
  private:
+  // The next ones.
+  HWY_INLINE std::span<const std::size_t> refill() {
+    std::size_t filled = 0;
+    for (; word_ < std::size(rest_.bits); ++word_) {
+      std::uint64_t bits = rest_.bits[word_];
+      for (; bits != 0 && filled < kLanes; bits &= bits - 1) {
+        members_[filled++] = 64 * word_ + static_cast<std::size_t>(std::countr_zero(bits));
+      }
+      rest_.bits[word_] = bits;
+      if (filled == kLanes) break;
+    }
+    filled_ = filled;
+    next_ = 0;
+    return {members_, filled};
+  }
+
   Choice rest_;
-  std::size_t word_ = 0;               // of the bits
+  std::size_t word_ = 0;  // of the bits
+  std::size_t members_[kLanes];
   std::size_t filled_ = 0, next_ = 0;  // lanes in use, lanes handed out
 };
 

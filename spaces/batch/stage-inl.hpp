@@ -145,10 +145,13 @@ class Stage {
     };
     straddlers_.begin(survivors_);
     NextLines next_block(block + size, size);
-    std::size_t i = copy_run(block, first, 0, writer);
-    for (; i < survivors_.count; i = copy_run(block, first, i + 1, writer)) {
-      next_block.prefetch_some();
-      cut(survivors_, i, at, first, writer);
+    for (std::size_t i = 0; i < survivors_.count;) {
+      if (survivors_.any[i] == 0) {
+        i = copy_run(block, first, i, writer);
+      } else {
+        next_block.prefetch_some();
+        cut(survivors_, i++, at, first, writer);
+      }
     }
     access_.commit(writer);
   }

@@ -62,6 +62,17 @@ HWY_INLINE void store(D d, hn::Vec<D> v, To* p) {
   }
 }
 
+// Eight floats in one register, where there is one.
+template <class D>
+HWY_INLINE void store_eight(D d, hn::Vec<D4> low, hn::Vec<D4> high, float* out) {
+  if constexpr (hn::MaxLanes(D()) == 8) {
+    hn::StoreU(hn::Combine(d, high, low), d, out);
+  } else {
+    hn::StoreU(low, kD4, out);
+    hn::StoreU(high, kD4, out + 4);
+  }
+}
+
 // Whether all coordinates and attributes of three vertices are finite, and so far from the largest
 // number that no difference or sum of two products with weights in [0, 1] overflows.
 template <class S, class V>
@@ -253,14 +264,6 @@ HWY_INLINE unsigned outside_mask(const T d[3]) {
          static_cast<unsigned>(d[2] < 0) << 2;
 }
 
-// A triangle that some planes cut: its vertices, whole vectors readable, and their codes.
-template <class V>
-struct Straddler {
-  const V* vertex[3];
-  unsigned code[3];
-  unsigned any;
-};
-
 // Sutherland-Hodgman in T, float or double, of vertices of V in a space with its limits and planes.
 // Both functions write the polygon to `out` and return how many vertices it has, or kGiveUp.
 template <class T, class S, class Limits, class Plane>
@@ -288,16 +291,17 @@ struct Chain {
     return w > 0 && cut[stride + 3] > 0 ? order.inside + 2 : kGiveUp;
   }
 
+  // any: the bits that some vertex has.
   template <class V, class To>
-  HWY_INLINE int cut_planes(const Straddler<V>& s, To* out) const {
+  HWY_INLINE int cut_planes(const V* const vertex[3], unsigned any, To* out) const {
     Pool pool;
     for (int i = 0; i < 3; ++i) {
-      load_vertex(s.vertex[i], pool.vertex[i]);
-      measure(s.vertex[i], pool.distance[i]);
+      load_vertex(vertex[i], pool.vertex[i]);
+      measure(vertex[i], pool.distance[i]);
     }
     List list = kTriangle;
     for (const Plane& plane : planes) {
-      if ((s.any >> plane.bit & 1) == 0) continue;
+      if ((any >> plane.bit & 1) == 0) continue;
       if (!cut(plane, pool, list)) return kGiveUp;
     }
     if (list.size < 3) return 0;

@@ -33,30 +33,25 @@ class LaneCutter {
  public:
   explicit LaneCutter(const std::array<CodePlane, kPlanes>& planes) : planes_(planes) {}
 
-  // To be called before the survivors of another block.
-  void forget() { filled_ = next_ = 0; }
-
-  // The lane of survivor `at` of a block that has `count`, after its group was cut. To be called
-  // for each survivor that needs(at) in turn. position(at, lane, v): where x y z w of vertex v of a
-  // survivor lie.
-  template <class Needs, class F>
-  HWY_INLINE std::size_t lane_of(std::size_t at, std::size_t count, Needs&& needs, F&& position) {
-    if (next_ == filled_) {
-      std::size_t members[kTriangleLanes];
-      filled_ = next_ = 0;
-      for (; at < count && filled_ < kTriangleLanes; ++at) {
-        if (needs(at)) members[filled_++] = at;
-      }
-      cut(filled_, [&](std::size_t lane, int v) { return position(members[lane], lane, v); });
+  // Cuts so many triangles. position(lane, v): where x y z w of a vertex lie.
+  template <class F>
+  HWY_NOINLINE void cut(std::size_t count, F&& position) {
+    static constexpr float kNothing[4] = {0, 0, 0, 0};
+    for (int v = 0; v < 3; ++v) {
+      const auto p = load_positions_at(
+          kD8, [&](std::size_t lane) { return lane < count ? position(lane, v) : kNothing; });
+      const V c[3] = {p.x, p.y, p.z};
+      for (int i = 0; i < kPlanes; ++i) original_[v].d[i] = distance(planes_[i], c, p.w);
+      original_[v].number = hn::Set(kD8, static_cast<float>(v));
+      slots_[v] = original_[v];
     }
-    return next_++;
-  }
-
-  // The position of a vertex of triangle t as it lies elsewhere, for position(at, lane, v).
-  HWY_INLINE const float* hold(const TriangleStreams& in, std::size_t t, std::size_t lane, int v) {
-    float* const to = held_[v][lane];
-    for (std::size_t c = 0; c < 4; ++c) to[c] = in.positions[v][c][t];
-    return to;
+    slots_[3] = slots_[4] = slots_[0];
+    size_ = hn::Set(kD8, 3.0f);
+    given_up_ = none();
+    for (int p = 0; p < kPlanes; ++p) cut_by(p);
+    for (int i = 0; i < kSlots; ++i) hn::Store(slots_[i].number, kD8, numbers_[i]);
+    hn::Store(size_, kD8, sizes_);
+    given_up_bits_ = mask_bits(kD8, given_up_);
   }
 
   // The polygon of a lane, whose triangle this is: vertices written to `out`, or kGiveUp.
@@ -104,26 +99,6 @@ class LaneCutter {
     for (int q = 0; q < kPlanes; ++q) r.d[q] = hn::IfThenElse(mask, yes.d[q], no.d[q]);
     r.number = hn::IfThenElse(mask, yes.number, no.number);
     return r;
-  }
-
-  template <class F>
-  HWY_NOINLINE void cut(std::size_t count, F&& position) {
-    static constexpr float kNothing[4] = {0, 0, 0, 0};
-    for (int v = 0; v < 3; ++v) {
-      const auto p = load_positions_at(
-          kD8, [&](std::size_t lane) { return lane < count ? position(lane, v) : kNothing; });
-      const V c[3] = {p.x, p.y, p.z};
-      for (int i = 0; i < kPlanes; ++i) original_[v].d[i] = distance(planes_[i], c, p.w);
-      original_[v].number = hn::Set(kD8, static_cast<float>(v));
-      slots_[v] = original_[v];
-    }
-    slots_[3] = slots_[4] = slots_[0];
-    size_ = hn::Set(kD8, 3.0f);
-    given_up_ = none();
-    for (int p = 0; p < kPlanes; ++p) cut_by(p);
-    for (int i = 0; i < kSlots; ++i) hn::Store(slots_[i].number, kD8, numbers_[i]);
-    hn::Store(size_, kD8, sizes_);
-    given_up_bits_ = mask_bits(kD8, given_up_);
   }
 
   static HWY_INLINE V distance(const CodePlane& plane, const V (&c)[3], V w) {
@@ -244,8 +219,6 @@ class LaneCutter {
   HWY_ALIGN float numbers_[kSlots][8];
   HWY_ALIGN float sizes_[8];
   unsigned given_up_bits_ = 0;
-  std::size_t filled_ = 0, next_ = 0;  // lanes of the group: those in use, those handed out
-  HWY_ALIGN float held_[3][8][4];
 };
 
 }  // namespace clipscope::batch::HWY_NAMESPACE

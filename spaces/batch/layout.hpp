@@ -42,6 +42,18 @@ struct Writer {
     end += static_cast<std::uint32_t>(vertices);
     *polygons++ = {static_cast<std::uint32_t>(triangle), end};
   }
+  // Notes so many triangles, numbers from `first` on, whose vertices were written to `next`.
+  void add_triangles(std::size_t first, const std::uint16_t* numbers, std::size_t count) {
+    const auto base = static_cast<std::uint32_t>(first);
+    PolygonEnd* const to = polygons;
+    const std::uint32_t begin = end;
+    for (std::size_t i = 0; i < count; ++i) {
+      to[i] = {base + numbers[i], begin + 3 * static_cast<std::uint32_t>(i + 1)};
+    }
+    polygons += count;
+    end += 3 * static_cast<std::uint32_t>(count);
+    next += 3 * count * stride;
+  }
 };
 
 // The clippers' way into an Output.
@@ -76,7 +88,7 @@ struct OutputAccess {
  private:
   // Doubles the size, so that growing is rare.
   template <class V>
-  static void grow(std::vector<V>& v, std::size_t size) {
+  static void grow(V& v, std::size_t size) {
     if (v.size() < size) v.resize(std::max(size, 2 * v.size()));
   }
 };

@@ -116,8 +116,9 @@ class Stage {
     const float* const block = vertices + first * 3 * stride;
     Writer writer = access_.block(survivors.count);
     access_.tally().rejected += count - survivors.count;
-    const auto at = [&](std::size_t i, int v) {
-      return block + (3 * survivors.triangle[i] + static_cast<std::size_t>(v)) * stride;
+    const auto at = [&survivors, block, shape = straddlers_.shape](std::size_t i, int v) {
+      return block + (std::size_t{3} * survivors.triangle[i] + static_cast<std::size_t>(v)) *
+                         shape.floats();
     };
     straddlers_.begin(survivors);
     for (std::size_t i = 0; i < survivors.count;) {

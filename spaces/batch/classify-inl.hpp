@@ -47,9 +47,14 @@ struct alignas(32) ClipLimits {
   std::uint32_t keep[8] = {~0u, ~0u, ~0u, 0, ~0u, ~0u, ~0u, 0};
   float fill[8] = {0, 0, 0, kLargest, 0, 0, 0, -kLeast};
   float negative[8] = {0, 0, 0, 0, -0.0f, -0.0f, -0.0f, -0.0f};
+  // The signed distances of the planes in these lanes, as CodePlane has them; 0 in lanes 3 and 7.
+  float w_weight[8] = {1, 1, 1, 0, 1, 1, 1, 0}, c_weight[8] = {-1, -1, -1, 0, 1, 1, 1, 0};
 
   explicit ClipLimits(DepthRange depth) {
-    if (depth != DepthRange::minus_one_to_one) keep[6] = 0;
+    if (depth != DepthRange::minus_one_to_one) {
+      keep[6] = 0;
+      w_weight[6] = 0;
+    }
   }
 
   // Which comparisons of lanes lane, lane + 1, … the vertex at v passes.

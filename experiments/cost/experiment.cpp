@@ -57,8 +57,9 @@ std::string run_full(const ExperimentContext& context) {
   TableOf<OperationsRow> operations;
   TableOf<SplitRow> split;
   // The soups are the mixes; any scene that the user names is one, too.
-  const std::vector<std::string> names = selection.scenes_or(
-      {"soup", "soup_inside", "soup_outside", "soup_straddling", "soup_behind"});
+  const std::vector<std::string> names =
+      selection.scenes_or({"soup", "soup_inside", "soup_outside", "soup_straddling", "soup_behind",
+                           "soup_several_planes"});
   Progress progress("cost", names.size());
   for (const std::string& name : names) {
     context.piece("mix " + name, {&times, &operations, &split}, [&](PieceRecord& record) {

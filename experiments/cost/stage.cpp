@@ -67,6 +67,7 @@ std::vector<StageMix> stage_mixes(const Selection& selection) {
   };
   return {soup("game_like", {.inside = 58, .outside = 37, .straddling = 5}),
           soup("straddling", {.straddling = 1}),
+          soup("several_planes", {.several_planes = 1}),
           soup("inside", {.inside = 1}),
           soup("outside", {.outside = 1}),
           {"terrain", Contract::indexed, [levels, seed = selection.seed] {

@@ -100,8 +100,9 @@ void run(const ExperimentContext& context) {
   const Contestants contestants = selected_contestants(selection);
   Tables tables;
   auto& [frontier, steps, refused, rounding] = tables;
-  // Game-like, all straddling, hard.
-  for (const std::string& name : selection.scenes_or({"soup", "soup_straddling", "slivers"})) {
+  // Game-like, cut by one plane mostly, by several, hard.
+  for (const std::string& name :
+       selection.scenes_or({"soup", "soup_straddling", "soup_several_planes", "slivers"})) {
     context.piece(
         "set " + name, {&frontier, &steps, &refused, &rounding},
         [&](PieceRecord& record) { measure_set(selection, name, contestants, tables, record); });

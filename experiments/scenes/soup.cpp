@@ -200,13 +200,16 @@ std::array<std::size_t, kClasses> apportion(const ByClass& shares, std::size_t t
 }
 
 void check(const SoupShares& shares, const Frustum<float>& frustum) {
-  const ByClass all = by_class(shares, frustum.kind);
+  const std::array all = {shares.inside, shares.outside, shares.straddling, shares.crossing_w0,
+                          shares.several_planes};
   for (const double share : all) {
     if (!(share >= 0 && std::isfinite(share))) {
       throw UsageError(fmt::format("soup: a share of {} given; shares are numbers >= 0", share));
     }
   }
-  if (all == ByClass{}) throw UsageError("soup: all shares are 0; at least one must be positive");
+  if (std::ranges::count(all, 0) == std::ssize(all)) {
+    throw UsageError("soup: all shares are 0; at least one must be positive");
+  }
   if (shares.crossing_w0 > 0 && frustum.kind == ProjectionKind::parallel) {
     throw UsageError("soup: in a parallel projection w is 1 everywhere, nothing can cross w = 0");
   }

@@ -226,6 +226,7 @@ TEST_CASE("soup: shares that make no soup are refused") {
   };
   CHECK(contains(refused({}, off_centre()), "all shares are 0"));
   CHECK(contains(refused({.inside = -1}, off_centre()), "a share of -1"));
+  CHECK(contains(refused({.several_planes = -1}, off_centre()), "a share of -1"));
   CHECK(contains(refused({.crossing_w0 = 1}, parallel()), "nothing can cross w = 0"));
 }
 

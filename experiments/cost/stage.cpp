@@ -130,7 +130,7 @@ std::string run_stage(const ExperimentContext& context) {
     });
     progress.advance();
   }
-  stage.add_note(fmt::format("SIMD: {}. {}", batch::target_name(), machine_description()));
+  stage.add_note(machine_description());
   context.emit(shares, stage);
   if (!refused.rows().empty()) context.emit(refused);
   for (const Contract contract : kStageContracts) {

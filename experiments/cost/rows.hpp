@@ -157,22 +157,26 @@ constexpr std::array<std::string_view, 4> names_of(Growing) {
 struct GrowthRow {
   Growing grows = Growing::triangles;
   std::int64_t n = 0;
+  InputFrom from = InputFrom::memory;
   std::string clipper, scalar;
   Contract contract = Contract::copy;
   std::optional<double> triangles = {};  // clipped in one run
   std::optional<MedianInterval> ns = {};
-  std::optional<double> speedup = {};  // where textbook is timed
+  std::optional<MedianInterval> speedup_by_threads = {};  // over one of them in the same rounds
+  std::optional<double> speedup = {};                     // where textbook is timed
 
   static constexpr std::string_view kName = "cost_growth";
   static constexpr std::string_view kTitle = "How the time of the stage grows";
   static constexpr std::array<std::string_view, 1> kNotes = {
-      "triangles: the first n of a game-like soup; beyond its size it streams through again and again. attributes: floats beside the position. planes: every triangle is cut by exactly n. threads: the soup in n parts, time by the clock on the wall. Column triangles: clipped in one run. Batch clippers in SIMD."};
+      "triangles: lists of n, each time others of a game-like soup, until it was gone through. attributes: floats beside the position. planes: every triangle is cut by exactly n. threads: the soup in n parts, time by the clock on the wall; x 1 thread: how many times as fast as one thread in the same rounds. From cache: the second-level one holds the list, which is read once before, though it was not clipped before (threads: the same list again and again). Column triangles: clipped in one run. Batch clippers in SIMD."};
   static constexpr auto columns() {
     using R = GrowthRow;
-    return std::tuple(column("grows", &R::grows), column("n", &R::n),
+    return std::tuple(column("grows", &R::grows), column("n", &R::n), column("from", &R::from),
                       contestant_columns(&R::clipper, &R::scalar), column("contract", &R::contract),
                       column("triangles", &R::triangles),
                       interval("ns_per_triangle", "ns", "ns/tri", &R::ns),
+                      interval("speedup_to_one_thread", "speedup_to_one_thread", "x 1 thread",
+                               &R::speedup_by_threads),
                       column("speedup_to_textbook", "x textbook", &R::speedup));
   }
 };

@@ -3,10 +3,12 @@
 // The stage's part of cost: mixes x clippers x contracts, and how the time grows with the number of
 // triangles, of attributes, of planes that a triangle crosses, and with threads.
 //
-//   triangles   the first n of a game-like soup; beyond its size it streams through again and again
+//   triangles   lists of n of a game-like soup, each time others, until it was gone through; from
+//               memory, and small ones from cache, too
 //   attributes  game-like soups with so many floats beside the position
 //   planes      every triangle is cut by exactly n planes
-//   threads     a game-like soup in n parts, one per thread; wall time of all threads
+//   threads     a game-like soup in n parts, one per thread, from memory and from cache; wall time
+//               of all threads, in the same rounds
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -130,7 +132,7 @@ std::string run_stage(const ExperimentContext& context) {
     });
     progress.advance();
   }
-  stage.add_note(machine_description());
+  stage.add_note(timing_description());
   context.emit(shares, stage);
   if (!refused.rows().empty()) context.emit(refused);
   for (const Contract contract : kStageContracts) {

@@ -114,7 +114,8 @@ Plot growth_plot(const std::vector<GrowthRow>& growth, Growing growing) {
       .y = {.label = "time [ns per triangle]", .logarithmic = true}};
   for (const GrowthRow& row : rows_where(growth, &GrowthRow::grows, growing)) {
     if (!row.ns) continue;
-    const std::string name = fmt::format("{} {}", row.clipper, name_of(row.contract));
+    const std::string name = fmt::format("{} {}{}", row.clipper, name_of(row.contract),
+                                         row.from == InputFrom::cache ? ", from cache" : "");
     auto series = std::ranges::find(plot.series, name, &Series::name);
     if (series == plot.series.end()) {
       series = plot.series.insert(series, {.name = name, .muted = row.clipper == "textbook"});

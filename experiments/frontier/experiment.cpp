@@ -107,7 +107,7 @@ void run(const ExperimentContext& context) {
         "set " + name, {&frontier, &steps, &refused, &rounding},
         [&](PieceRecord& record) { measure_set(selection, name, contestants, tables, record); });
   }
-  frontier.add_note(machine_description());
+  frontier.add_note(timing_description());
   steps.add_note(machine_description());
   context.emit(frontier, steps, rounding);
   if (!refused.rows().empty()) context.emit(refused);

@@ -81,6 +81,10 @@ std::string class_text() {
   return scheduler == SCHED_FIFO ? "real-time class SCHED_FIFO" : "real-time class SCHED_RR";
 }
 
+std::string build_text() {
+  return fmt::format("{} {}, {}; commit {}", kCompiler, kCompilerVersion, kFlags, kCommit);
+}
+
 }  // namespace
 
 std::string machine_name() {
@@ -88,15 +92,24 @@ std::string machine_name() {
                      batch::target_name());
 }
 
+std::size_t level2_cache_bytes() {
+  constexpr std::size_t kUsual = 256 * 1024;
+  const long bytes = sysconf(_SC_LEVEL2_CACHE_SIZE);
+  return bytes > 0 ? static_cast<std::size_t>(bytes) : kUsual;
+}
+
+std::string measuring_conditions() { return fmt::format("{}, {}", governor_text(), class_text()); }
+
 std::string machine_state() {
   const Interruptions runs = interruptions_so_far();
-  return fmt::format("{}, {}, {}{}", governor_text(), class_text(), others_text(),
+  return fmt::format("{}, {}{}", measuring_conditions(), others_text(),
                      runs.runs == 0 ? "" : "; " + runs.text());
 }
 
-std::string machine_description() {
-  return fmt::format("{}; {}; {} {}, {}; commit {}", machine_name(), machine_state(), kCompiler,
-                     kCompilerVersion, kFlags, kCommit);
+std::string machine_description() { return fmt::format("{}; {}", machine_name(), build_text()); }
+
+std::string timing_description() {
+  return fmt::format("{}; {}; {}", machine_name(), machine_state(), build_text());
 }
 
 }  // namespace clipscope::experiments

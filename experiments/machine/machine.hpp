@@ -4,6 +4,7 @@
 // results, the README's findings, the claims and the paper have it from.
 #pragma once
 
+#include <cstddef>
 #include <ctime>
 #include <fmt/chrono.h>
 #include <string>
@@ -14,13 +15,21 @@ namespace clipscope::experiments {
 // batch clippers run on.
 std::string machine_name();
 
-// What else it did since the program started, and how it was asked to run: share of the processors'
-// time that other programs took (a hypervisor's other machines, too), frequency governor,
-// scheduling class, runs under the clock that lost the processor.
+// Of a processor's second-level cache; what does not fit comes from memory, as experiments have it,
+// though a third level may hold it. 256 KiB where the system doesn't say.
+std::size_t level2_cache_bytes();
+
+// How times are measured: frequency governor and scheduling class.
+std::string measuring_conditions();
+
+// These, and what else the machine did since the program started: share of the processors' time
+// that other programs took (a hypervisor's other machines, too), runs under the clock that lost the
+// processor.
 std::string machine_state();
 
-// One line: both of them, compiler and version, flags, commit.
+// One line: the machine, compiler and version, flags, commit. Of what was timed also its state.
 std::string machine_description();
+std::string timing_description();
 
 // Dates in UTC: "2026-03-01T12:34:56Z" (ISO 8601).
 inline std::string date_of(std::time_t time) {

@@ -103,9 +103,7 @@ Interruptions operator-(const Interruptions& later, const Interruptions& earlier
 
 std::string busy_text(const Interruptions& interruptions) {
   if (!interruptions.is_busy()) return "";
-  return fmt::format(
-      "The machine was busy, and no time is settled: {:.0f} % of the runs under the clock were interrupted.",
-      interruptions.percent());
+  return "The machine was busy, so that no time here is settled.";
 }
 
 void count_runs(const Interruptions& runs) { so_far = so_far + runs; }

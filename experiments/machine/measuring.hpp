@@ -63,7 +63,7 @@ struct Interruptions {
 Interruptions operator+(const Interruptions& a, const Interruptions& b);
 Interruptions operator-(const Interruptions& later, const Interruptions& earlier);
 
-// What a sentence says of a machine that was busy; empty for one that was not.
+// What a finding says of a machine that was busy; empty for one that was not.
 std::string busy_text(const Interruptions& interruptions);
 
 // Of this process so far. For one thread.

@@ -19,26 +19,47 @@ constexpr std::size_t kBlockBytes = 1 << 18;  // that copies are written to, aga
 // As wide as the build's registers, or in parts.
 using Words = std::uint64_t __attribute__((vector_size(kLine / 2)));
 
+using Bytes = std::span<const std::byte>;
+
+// Triangles [first, first + count).
+struct Range {
+  std::size_t first, count;
+};
+
 template <class T>
-std::span<const std::byte> bytes_in(const std::vector<T>& values) {
+Bytes bytes_in(const std::vector<T>& values) {
   return std::as_bytes(std::span(values));
 }
 
-using Bytes = std::span<const std::byte>;
+// Of an array with so many values per triangle.
+Bytes bytes_in(const std::vector<float>& values, std::size_t per_triangle, const Range& range) {
+  return std::as_bytes(
+      std::span(values).subspan(range.first * per_triangle, range.count * per_triangle));
+}
 
-// What the passes over everything go over.
-std::vector<Bytes> arrays_of(const StageInput& input) {
-  if (input.indices.empty()) return {bytes_in(input.vertices)};
+std::size_t triangles_of(const StageInput& input) {
+  const std::size_t mesh = input.size(Contract::indexed);
+  return mesh > 0 ? mesh : input.array_size();
+}
+
+// What the passes over everything go over. Pre-condition: of a mesh the range is all of it.
+std::vector<Bytes> arrays_of(const StageInput& input, const Range& range) {
+  if (input.indices.empty()) return {bytes_in(input.vertices, 3 * input.stride(), range)};
   return {bytes_in(input.mesh_vertices), bytes_in(input.indices)};
 }
 
-std::vector<Bytes> position_streams(const StageInput& input) {
+std::vector<Bytes> position_streams(const StageInput& input, const Range& range) {
   std::vector<Bytes> streams;
   if (!input.indices.empty()) return streams;
   for (const auto& vertex : input.positions) {
-    for (const std::vector<float>& stream : vertex) streams.push_back(bytes_in(stream));
+    for (const std::vector<float>& stream : vertex) streams.push_back(bytes_in(stream, 1, range));
   }
   return streams;
+}
+
+std::vector<Bytes> bytes_of_pass(MemoryPass pass, const StageInput& input, const Range& range) {
+  const bool positions = pass == MemoryPass::read_positions;
+  return positions ? position_streams(input, range) : arrays_of(input, range);
 }
 
 void add_line(const std::byte* line, Words& sum) {
@@ -91,45 +112,50 @@ std::uint64_t copy_one(Bytes bytes, std::vector<std::byte>& block) {
   return static_cast<std::uint64_t>(block[block.size() / 2]);
 }
 
-std::size_t triangles_of(const StageInput& input) {
-  const std::size_t mesh = input.size(Contract::indexed);
-  return mesh > 0 ? mesh : input.array_size();
+// What a pass reads of a range, summed up; `block` is what a copy goes to.
+std::uint64_t pass_over(MemoryPass pass, const StageInput& input, const Range& range,
+                        std::vector<std::byte>& block) {
+  const std::vector<Bytes> read = bytes_of_pass(pass, input, range);
+  if (pass == MemoryPass::read_positions) return read_side_by_side(read);
+  std::uint64_t sum = 0;
+  for (const Bytes& array : read) {
+    sum += pass == MemoryPass::read_everything ? read_one(array) : copy_one(array, block);
+  }
+  return sum;
 }
 
-// A pass over all of the input, which outlives it; triangles are what is counted.
-// Pre-condition: bytes_of(pass, input) > 0.
-Task memory_task(MemoryPass pass, const StageInput& input) {
-  auto block = std::make_shared<std::vector<std::byte>>(kBlockBytes);
-  const auto go_over = [=, &input](double) {
-    std::uint64_t sum = 0;
-    if (pass == MemoryPass::read_positions) {
-      sum = read_side_by_side(position_streams(input));
-    } else {
-      for (const Bytes& array : arrays_of(input)) {
-        sum += pass == MemoryPass::read_everything ? read_one(array) : copy_one(array, *block);
-      }
-    }
-    [[maybe_unused]] volatile std::uint64_t kept = sum;  // nobody can leave the reads out
-    return triangles_of(input);
-  };
-  return {.work = go_over, .check = nothing_to_check};
-}
-
-// The input in calls.
+// The input in calls, of which a mesh is one.
 struct Blocks {
   std::size_t size, block;
 
+  Blocks(std::size_t triangles, bool whole)
+      : size(triangles), block(whole ? size : std::min(kStageBlock, size)) {}
   Blocks(const Contestant& contestant, const StageInput& input)
-      : size(input.clipped(contestant.contract)),
-        block(contestant.contract == Contract::indexed ? size : std::min(kStageBlock, size)) {}
+      : Blocks(input.clipped(contestant.contract), contestant.contract == Contract::indexed) {}
   std::size_t count() const { return (size + block - 1) / block; }
-  // Clips block i; its triangles.
-  std::size_t clip(Runner& runner, std::size_t i) const {
-    const std::size_t triangles = std::min(block, size - i * block);
-    runner.clip(0, i * block, triangles);
-    return triangles;
+  double least_share() const { return 1 / static_cast<double>(count()); }
+  // The triangles of blocks [first, last).
+  Range between(std::size_t first, std::size_t last) const {
+    return {first * block, std::min(last * block, size) - first * block};
+  }
+  // The next blocks of that share, at most all of them, as one range or as two around the end.
+  std::vector<Range> take(StageCursor& cursor, double share) const {
+    const auto wanted = std::floor(share * static_cast<double>(count()) + 0.5);
+    const std::size_t taken = std::clamp<std::size_t>(static_cast<std::size_t>(wanted), 1, count());
+    const std::size_t begin = cursor.next_block % count(), end = begin + taken;
+    cursor.next_block = end % count();
+    if (end <= count()) return {between(begin, end)};
+    return {between(begin, count()), between(0, end - count())};
   }
 };
+
+// A call for each block; the triangles.
+std::size_t clip_in_blocks(Runner& runner, const Range& range, std::size_t block) {
+  for (std::size_t done = 0; done < range.count; done += block) {
+    runner.clip(0, range.first + done, std::min(block, range.count - done));
+  }
+  return range.count;
+}
 
 using PassSamples = std::array<std::span<const double>, kMemoryPasses.size()>;
 
@@ -159,10 +185,26 @@ const StageTiming& fastest_beside(const StageTiming& row, const std::vector<Stag
 
 }  // namespace
 
+void touch(Contract contract, const StageInput& input, std::size_t first, std::size_t count) {
+  std::vector<Bytes> read = arrays_of(input, {first, count});
+  if (contract == Contract::number) {
+    read = position_streams(input, {first, count});
+    read.push_back(bytes_in(input.stream_attributes, 3 * static_cast<std::size_t>(input.attributes),
+                            {first, count}));
+  }
+  unsigned sum = 0;
+  for (const Bytes& bytes : read) {
+    for (std::size_t i = 0; i < bytes.size(); i += kLine) {
+      sum += std::to_integer<unsigned>(bytes[i]);
+    }
+    if (!bytes.empty()) sum += std::to_integer<unsigned>(bytes.back());
+  }
+  [[maybe_unused]] volatile unsigned kept = sum;  // nobody can leave the reads out
+}
+
 double bytes_of(MemoryPass pass, const StageInput& input) {
   std::size_t bytes = 0;
-  const bool positions = pass == MemoryPass::read_positions;
-  for (const Bytes& array : positions ? position_streams(input) : arrays_of(input)) {
+  for (const Bytes& array : bytes_of_pass(pass, input, {0, triangles_of(input)})) {
     bytes += array.size();
   }
   return static_cast<double>(bytes) / static_cast<double>(triangles_of(input));
@@ -190,23 +232,36 @@ double limit_ns(const StageBytes& bytes, const std::array<double, 3>& passes_ns,
 }
 
 Task stage_task(const Contestant& contestant, const StageInput& input,
-                const StageCheckOptions& check) {
+                const StageCheckOptions& check, std::shared_ptr<StageCursor> cursor) {
   const std::shared_ptr<Runner> runner = contestant.prepare_stage(input);
   const Blocks blocks(contestant, input);
-  const double count = static_cast<double>(blocks.count());
-  const auto clip_next = [=, next = std::size_t{0}](double share) mutable {
-    std::size_t clipped = 0;
-    const auto taken = static_cast<std::size_t>(std::floor(share * count + 0.5));
-    for (std::size_t i = 0; i < std::max<std::size_t>(1, taken); ++i) {
-      clipped += blocks.clip(*runner, next);
-      next = next + 1 == blocks.count() ? 0 : next + 1;
-    }
-    return clipped;
-  };
-  return {.work = clip_next,
+  return {.work =
+              [=](double share) {
+                std::size_t clipped = 0;
+                for (const Range& range : blocks.take(*cursor, share)) {
+                  clipped += clip_in_blocks(*runner, range, blocks.block);
+                }
+                return clipped;
+              },
           .check = [=, &contestant,
                     &input] { return first_broken_promise(contestant, *runner, input, check); },
-          .least_share = 1 / count};
+          .least_share = blocks.least_share()};
+}
+
+Task memory_task(MemoryPass pass, const StageInput& input, std::shared_ptr<StageCursor> cursor) {
+  auto block = std::make_shared<std::vector<std::byte>>(kBlockBytes);
+  const Blocks blocks(triangles_of(input), !input.indices.empty());
+  const auto go_over = [=, &input](double share) {
+    std::uint64_t sum = 0;
+    std::size_t triangles = 0;
+    for (const Range& range : blocks.take(*cursor, share)) {
+      sum += pass_over(pass, input, range, *block);
+      triangles += range.count;
+    }
+    [[maybe_unused]] volatile std::uint64_t kept = sum;  // nobody can leave the reads out
+    return triangles;
+  };
+  return {.work = go_over, .check = nothing_to_check, .least_share = blocks.least_share()};
 }
 
 double bytes_written(const Contestant& contestant, const StageInput& input, std::size_t triangles) {
@@ -215,7 +270,7 @@ double bytes_written(const Contestant& contestant, const StageInput& input, std:
   const std::size_t wanted = std::clamp<std::size_t>(triangles / blocks.block, 1, blocks.count());
   std::size_t clipped = 0, bytes = 0;
   for (std::size_t i = 0; i < wanted; ++i) {
-    clipped += blocks.clip(*runner, i);
+    clipped += clip_in_blocks(*runner, blocks.between(i, i + 1), blocks.block);
     bytes += runner->bytes_written();
   }
   return static_cast<double>(bytes) / static_cast<double>(clipped);
@@ -225,11 +280,14 @@ StageMeasurement measure_stage(const StageInput& input, const Contestants& conte
                                const StageClock& clock) {
   StageMeasurement result;
   std::vector<Task> tasks;
-  for (const Contestant* c : contestants) tasks.push_back(stage_task(*c, input, clock.check));
+  const auto cursor = std::make_shared<StageCursor>();
+  for (const Contestant* c : contestants) {
+    tasks.push_back(stage_task(*c, input, clock.check, cursor));
+  }
   for (const MemoryPass pass : kMemoryPasses) {
     if (bytes_of(pass, input) == 0) continue;
     result.passes.push_back({pass, bytes_of(pass, input), {}});
-    tasks.push_back(memory_task(pass, input));
+    tasks.push_back(memory_task(pass, input, cursor));
   }
   const std::vector<Timing> timings = time_in_turn(
       tasks,

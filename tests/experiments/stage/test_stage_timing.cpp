@@ -95,6 +95,34 @@ TEST_CASE(
   for (const std::size_t times : seen) CHECK(times == 2);
 }
 
+TEST_CASE("stage timing: runs that share a cursor never take what another one has just read") {
+  const StageInput input = random_input("soup", {.inside = 1}, 5 * kStageBlock + 5, 4, 1);
+  std::vector<std::size_t> seen;  // by both
+  const Contestant one = lazy(&seen), other = lazy(&seen);
+  const auto cursor = std::make_shared<StageCursor>();
+  const Task task = stage_task(one, input, {}, cursor),
+             rival = stage_task(other, input, {}, cursor);
+  const Task pass = memory_task(MemoryPass::read_everything, input, cursor);
+  task.work(2.0 / 6);
+  rival.work(3.0 / 6);
+  REQUIRE(seen.size() == 5 * kStageBlock);
+  for (const std::size_t times : seen) CHECK(times == 1);
+  CHECK(pass.work(2.0 / 6) == kStageBlock + 5);  // the last, which is short, and the first
+  task.work(1.0 / 6);
+  CHECK(seen[0] == 1);
+  CHECK(seen[kStageBlock] == 2);
+}
+
+TEST_CASE("stage timing: a pass over memory takes a share, around the end, or everything") {
+  const StageInput input = small_soup(3 * kStageBlock);
+  for (const MemoryPass pass : kMemoryPasses) {
+    const Task task = memory_task(pass, input);
+    CHECK(task.least_share == Approx(1.0 / 3));
+    CHECK(task.work(1.0 / 3) == kStageBlock);
+    CHECK(task.work(1) == 3 * kStageBlock);
+  }
+}
+
 TEST_CASE("stage limits: bytes are those of the arrays") {
   const StageInput input = small_soup(100);
   CHECK(bytes_of(MemoryPass::read_positions, input) == 3 * 4 * sizeof(float));

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kTriangles = 6000;  // per set, over all its views
 constexpr std::size_t kQuickTriangles = 300;
+constexpr std::size_t kTimedInStage = 500'000, kQuickTimedInStage = 40'000;
 // Who is twice as slow as somebody at most as inaccurate is on no frontier.
 constexpr double kFar = 2;
 
@@ -31,8 +32,8 @@ struct Tables {
     add_rows(set, entries, steps);
     add_rows(set, entries, refused);
     for (const Entry& e : entries) {
-      record.add(fmt::format("{} {} {} {}", set, name_of(e.contestant->contract),
-                             e.contestant->clipper, e.contestant->scalar()),
+      record.add(fmt::format("{} {} {} {} {}", set, name_of(e.contestant->contract),
+                             name_of(e.from), e.contestant->clipper, e.contestant->scalar()),
                  e.timing);
     }
   }
@@ -77,7 +78,9 @@ void measure_set(const Selection& selection, const std::string& name,
                                .check = {.exact = clock.checked}};
   Contestants in_stage = contestants;
   std::ranges::copy(stage_only_contestants(selection.clipper), std::back_inserter(in_stage));
-  for (const auto& stage : hold_stage_contest(scene_input(scene, limit), in_stage, stage_clock)) {
+  const std::size_t timed = selection.quick ? kQuickTimedInStage : kTimedInStage;
+  for (const auto& stage :
+       hold_stage_contest(scene_input(scene, limit), in_stage, timed, stage_clock)) {
     tables.add(scene.name, stage, record);
   }
 }

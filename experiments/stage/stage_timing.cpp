@@ -8,6 +8,8 @@
 #include <memory>
 #include <span>
 
+#include "experiments/machine/machine.hpp"
+
 namespace clipscope::experiments {
 namespace {
 
@@ -26,26 +28,26 @@ struct Range {
   std::size_t first, count;
 };
 
-template <class T>
-Bytes bytes_in(const std::vector<T>& values) {
-  return std::as_bytes(std::span(values));
-}
-
 // Of an array with so many values per triangle.
 Bytes bytes_in(const std::vector<float>& values, std::size_t per_triangle, const Range& range) {
   return std::as_bytes(
       std::span(values).subspan(range.first * per_triangle, range.count * per_triangle));
 }
 
-std::size_t triangles_of(const StageInput& input) {
-  const std::size_t mesh = input.size(Contract::indexed);
-  return mesh > 0 ? mesh : input.array_size();
+// What the passes over everything go over.
+Contract layout_of(const StageInput& input) {
+  return input.indices.empty() ? Contract::copy : Contract::indexed;
 }
 
-// What the passes over everything go over. Pre-condition: of a mesh the range is all of it.
+std::size_t triangles_of(const StageInput& input) { return input.size(layout_of(input)); }
+
+// The arrays of a soup's triangles, or of a mesh's. Pre-condition: whole draws of the mesh.
 std::vector<Bytes> arrays_of(const StageInput& input, const Range& range) {
   if (input.indices.empty()) return {bytes_in(input.vertices, 3 * input.stride(), range)};
-  return {bytes_in(input.mesh_vertices), bytes_in(input.indices)};
+  const auto first = input.draw_vertices(range.first),
+             last = input.draw_vertices(range.first + range.count - 1);
+  return {std::as_bytes(std::span(first.data(), last.data() + last.size())),
+          std::as_bytes(std::span(input.indices).subspan(3 * range.first, 3 * range.count))};
 }
 
 std::vector<Bytes> position_streams(const StageInput& input, const Range& range) {
@@ -124,19 +126,27 @@ std::uint64_t pass_over(MemoryPass pass, const StageInput& input, const Range& r
   return sum;
 }
 
-// The input in calls, of which a mesh is one.
+// The input in calls, of which a draw of a mesh is one.
 struct Blocks {
   std::size_t size, block;
 
-  Blocks(std::size_t triangles, bool whole)
-      : size(triangles), block(whole ? size : std::min(kStageBlock, size)) {}
-  Blocks(const Contestant& contestant, const StageInput& input)
-      : Blocks(input.clipped(contestant.contract), contestant.contract == Contract::indexed) {}
+  Blocks(std::size_t triangles, std::size_t per_call)
+      : size(triangles), block(std::min(per_call, triangles)) {}
+  Blocks(Contract contract, const StageInput& input, std::size_t per_call)
+      : Blocks(input.clipped(contract),
+               contract == Contract::indexed ? draw_size(input) : per_call) {}
+  static std::size_t draw_size(const StageInput& mesh) {
+    return mesh.draw_triangles > 0 ? mesh.draw_triangles : mesh.size(Contract::indexed);
+  }
   std::size_t count() const { return (size + block - 1) / block; }
   double least_share() const { return 1 / static_cast<double>(count()); }
   // The triangles of blocks [first, last).
   Range between(std::size_t first, std::size_t last) const {
     return {first * block, std::min(last * block, size) - first * block};
+  }
+  Range next(const StageCursor& cursor) const {
+    const std::size_t begin = cursor.next_block % count();
+    return between(begin, begin + 1);
   }
   // The next blocks of that share, at most all of them, as one range or as two around the end.
   std::vector<Range> take(StageCursor& cursor, double share) const {
@@ -157,40 +167,32 @@ std::size_t clip_in_blocks(Runner& runner, const Range& range, std::size_t block
   return range.count;
 }
 
-using PassSamples = std::array<std::span<const double>, kMemoryPasses.size()>;
-
-// The memory limit over the time, round by round, in percent.
-MedianInterval limit_percent(const StageBytes& bytes, std::span<const double> samples,
-                             const PassSamples& passes, const StageInput& input) {
-  std::vector<double> percent;
-  for (std::size_t round = 0; round < samples.size(); ++round) {
-    std::array<double, 3> ns{};
-    for (std::size_t p = 0; p < 3; ++p) ns[p] = passes[p].empty() ? 0 : passes[p][round];
-    percent.push_back(100 * limit_ns(bytes, ns, input) / samples[round]);
-  }
-  return median_interval(percent);
-}
-
-// The fastest that was timed in a row's contract.
-const StageTiming& fastest_beside(const StageTiming& row, const std::vector<StageTiming>& rows) {
-  const StageTiming* fastest = &row;
-  for (const StageTiming& other : rows) {
-    if (other.contestant->contract != row.contestant->contract || !other.timing.is_timed()) {
-      continue;
-    }
-    if (other.timing.ns.median < fastest->timing.ns.median) fastest = &other;
-  }
-  return *fastest;
+// A task of one block: off the clock it does the block before, which brings code and answers into
+// cache, and reads the next, which it did not clip before.
+Task from_cache(Task task, Contract contract, const StageInput& input, const Blocks& blocks,
+                std::shared_ptr<StageCursor> cursor) {
+  task.most_share = task.least_share;
+  task.prepare = [=, &input, work = task.work, share = task.least_share] {
+    work(share);
+    const Range next = blocks.next(*cursor);
+    touch(contract, input, next.first, next.count);
+  };
+  return task;
 }
 
 }  // namespace
 
 void touch(Contract contract, const StageInput& input, std::size_t first, std::size_t count) {
-  std::vector<Bytes> read = arrays_of(input, {first, count});
-  if (contract == Contract::number) {
-    read = position_streams(input, {first, count});
-    read.push_back(bytes_in(input.stream_attributes, 3 * static_cast<std::size_t>(input.attributes),
-                            {first, count}));
+  const Range range{first, count};
+  std::vector<Bytes> read;
+  if (contract == Contract::copy) {
+    read = {bytes_in(input.vertices, 3 * input.stride(), range)};
+  } else if (contract == Contract::indexed) {
+    read = arrays_of(input, range);
+  } else {
+    const auto attributes = static_cast<std::size_t>(input.attributes);
+    read = position_streams(input, range);
+    read.push_back(bytes_in(input.stream_attributes, 3 * attributes, range));
   }
   unsigned sum = 0;
   for (const Bytes& bytes : read) {
@@ -232,9 +234,10 @@ double limit_ns(const StageBytes& bytes, const std::array<double, 3>& passes_ns,
 }
 
 Task stage_task(const Contestant& contestant, const StageInput& input,
-                const StageCheckOptions& check, std::shared_ptr<StageCursor> cursor) {
+                const StageCheckOptions& check, std::shared_ptr<StageCursor> cursor,
+                std::size_t block) {
   const std::shared_ptr<Runner> runner = contestant.prepare_stage(input);
-  const Blocks blocks(contestant, input);
+  const Blocks blocks(contestant.contract, input, block);
   return {.work =
               [=](double share) {
                 std::size_t clipped = 0;
@@ -248,9 +251,10 @@ Task stage_task(const Contestant& contestant, const StageInput& input,
           .least_share = blocks.least_share()};
 }
 
-Task memory_task(MemoryPass pass, const StageInput& input, std::shared_ptr<StageCursor> cursor) {
+Task memory_task(MemoryPass pass, const StageInput& input, std::shared_ptr<StageCursor> cursor,
+                 std::size_t block_size) {
   auto block = std::make_shared<std::vector<std::byte>>(kBlockBytes);
-  const Blocks blocks(triangles_of(input), !input.indices.empty());
+  const Blocks blocks(layout_of(input), input, block_size);
   const auto go_over = [=, &input](double share) {
     std::uint64_t sum = 0;
     std::size_t triangles = 0;
@@ -266,7 +270,7 @@ Task memory_task(MemoryPass pass, const StageInput& input, std::shared_ptr<Stage
 
 double bytes_written(const Contestant& contestant, const StageInput& input, std::size_t triangles) {
   const std::unique_ptr<Runner> runner = contestant.prepare_stage(input);
-  const Blocks blocks(contestant, input);
+  const Blocks blocks(contestant.contract, input, kStageBlock);
   const std::size_t wanted = std::clamp<std::size_t>(triangles / blocks.block, 1, blocks.count());
   std::size_t clipped = 0, bytes = 0;
   for (std::size_t i = 0; i < wanted; ++i) {
@@ -276,41 +280,27 @@ double bytes_written(const Contestant& contestant, const StageInput& input, std:
   return static_cast<double>(bytes) / static_cast<double>(clipped);
 }
 
-StageMeasurement measure_stage(const StageInput& input, const Contestants& contestants,
-                               const StageClock& clock) {
-  StageMeasurement result;
-  std::vector<Task> tasks;
-  const auto cursor = std::make_shared<StageCursor>();
-  for (const Contestant* c : contestants) {
-    tasks.push_back(stage_task(*c, input, clock.check, cursor));
-  }
-  for (const MemoryPass pass : kMemoryPasses) {
-    if (bytes_of(pass, input) == 0) continue;
-    result.passes.push_back({pass, bytes_of(pass, input), {}});
-    tasks.push_back(memory_task(pass, input, cursor));
-  }
-  const std::vector<Timing> timings = time_in_turn(
-      tasks,
-      {.rounds = clock.rounds, .milliseconds_per_run = clock.milliseconds_per_run, .baseline = 0});
-  PassSamples samples;
-  for (std::size_t p = 0; p < result.passes.size(); ++p) {
-    result.passes[p].timing = timings[contestants.size() + p];
-    samples[static_cast<std::size_t>(result.passes[p].pass)] = result.passes[p].timing.samples_ns;
-  }
-  for (std::size_t i = 0; i < contestants.size(); ++i) {
-    StageTiming& row = result.contestants.emplace_back();
-    row = {contestants[i], timings[i]};
-    if (!row.timing.is_timed()) continue;
-    const double written = bytes_written(*row.contestant, input, clock.check.triangles);
-    row.bytes = stage_bytes(input, row.contestant->contract, written);
-    row.limit_percent = limit_percent(row.bytes, row.timing.samples_ns, samples, input);
-  }
-  for (StageTiming& row : result.contestants) {
-    if (!row.timing.is_timed()) continue;
-    const StageTiming& fastest = fastest_beside(row, result.contestants);
-    row.times_fastest = median_interval(ratios(row.timing.samples_ns, fastest.timing.samples_ns));
-  }
-  return result;
+std::size_t cached_block(const StageInput& input) {
+  constexpr std::size_t kLeast = 64;
+  const std::size_t bytes = 2 * 3 * sizeof(float) * input.stride();
+  return std::clamp(level2_cache_bytes() / 2 / bytes / kLeast * kLeast, kLeast, kStageBlock);
+}
+
+Task cached_stage_task(const Contestant& contestant, const StageInput& input,
+                       const StageCheckOptions& check, std::shared_ptr<StageCursor> cursor) {
+  const std::size_t block = cached_block(input);
+  const Contract contract = contestant.contract;
+  return from_cache(stage_task(contestant, input, check, cursor, block), contract, input,
+                    Blocks(contract, input, block), cursor);
+}
+
+Task cached_memory_task(MemoryPass pass, const StageInput& input,
+                        std::shared_ptr<StageCursor> cursor) {
+  const std::size_t block = cached_block(input);
+  const Contract all = layout_of(input);
+  const Contract read = pass == MemoryPass::read_positions ? Contract::number : all;
+  return from_cache(memory_task(pass, input, cursor, block), read, input, Blocks(all, input, block),
+                    cursor);
 }
 
 }  // namespace clipscope::experiments

@@ -80,20 +80,21 @@ Plot stage_plot(const std::vector<StageRow>& stage, Contract contract, InputFrom
   const std::string name(name_of(contract));
   const bool is_cached = from == InputFrom::cache;
   const std::vector<R> all = rows_where(stage, &R::contract, name, &R::from, from);
-  const std::vector<R> rows = rows_where(all, &R::is_shown, true);
+  std::vector<R> rows = rows_where(all, &R::is_shown, true);
+  std::erase_if(rows, [](const R& row) { return row.clipper == "textbook"; });
   Plot plot{
       .name = fmt::format("cost_stage_{}{}", name, is_cached ? "_cached" : ""),
       .title =
           fmt::format("The stage by {}, from {}: time by mix of triangles", name, name_of(from)),
       .caption =
-          "Clip-space triangles in, clip-space polygons out; medians with 95 % intervals. Batch clippers in SIMD. Grey: the textbook's, and what moving the same bytes takes.",
+          "Clip-space triangles in, clip-space polygons out; medians with 95 % intervals. Batch clippers in SIMD. Grey: what moving the same bytes takes.",
       .x = {.label = "mix"},
       .y = {.label = "time [ns per triangle]", .logarithmic = true},
       .categories = distinct(rows, &R::mix)};
   if (rows.empty()) return plot;
   for (const std::string& label : distinct(rows, &R::label)) {
     const auto ns = [](const R& row) { return row.timing->ns; };
-    add_bars(plot, label, rows, ns, &R::mix, &R::label, label).muted = label == "textbook float";
+    add_bars(plot, label, rows, ns, &R::mix, &R::label, label);
   }
   const auto limit = [&](const R& row) {
     const R& fastest = *fastest_row(rows_where(all, &R::mix, row.mix));

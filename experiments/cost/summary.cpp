@@ -85,7 +85,7 @@ Plot stage_plot(const std::vector<StageRow>& stage, Contract contract, InputFrom
   Plot plot{
       .name = fmt::format("cost_stage_{}{}", name, is_cached ? "_cached" : ""),
       .title =
-          fmt::format("The stage by {}, from {}: time by mix of triangles", name, name_of(from)),
+          fmt::format("Time of the stage by mix of triangles: {}, from {}", name, name_of(from)),
       .caption =
           "Clip-space triangles in, clip-space polygons out; medians with 95 % intervals. Batch clippers in SIMD. Grey: what moving the same bytes takes.",
       .x = {.label = "mix"},

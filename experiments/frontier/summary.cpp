@@ -112,7 +112,9 @@ Plot frontier_plot(const std::vector<Row>& rows, const PlottedFrontier& of) {
   }
   const Series exact = exact_line(points, floor);
   const std::string stage =
-      of.contract == Contract::full ? "" : fmt::format(", the stage by {}", name_of(of.contract));
+      of.contract == Contract::full
+          ? ""
+          : fmt::format(", the stage by {} from memory", name_of(of.contract));
   Plot plot{
       .name = file_name(of),
       .title = fmt::format("What accuracy costs in time: {}{}", of.set, stage),

@@ -13,7 +13,7 @@ namespace clipscope::experiments {
 namespace {
 
 // Rounds from cache for each from memory: a run is one block, and short.
-constexpr int kCacheRounds = 3;
+constexpr int kCacheRounds = 2;
 
 using PassSamples = std::array<std::span<const double>, kMemoryPasses.size()>;
 

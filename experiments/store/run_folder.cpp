@@ -120,12 +120,6 @@ std::string files_read(const Selection& selection) {
   return fmt::format("{}", fmt::join(files, ", "));
 }
 
-// Processor and how many there are.
-std::string machine_name() {
-  const std::string description = machine_description();
-  return description.substr(0, description.find(';'));
-}
-
 void check_resumable(const RunInfo& stored, const RunInfo& now, const fs::path& file) {
   std::vector<std::string> differences;
   const auto differ = [&](const std::string& what, const std::string& a, const std::string& b) {

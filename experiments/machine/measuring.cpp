@@ -85,11 +85,12 @@ double Interruptions::percent() const {
 bool Interruptions::is_busy() const { return percent() > kMostPercent; }
 
 std::string Interruptions::text() const {
-  if (redone + disturbed == 0) return fmt::format("none of {} runs lost the processor", runs);
-  std::string text =
-      fmt::format("{} of {} runs under the clock lost the processor; ", redone + disturbed, runs);
-  if (disturbed == 0) return text + "they were done again";
-  return text + fmt::format("{} were done again, {} count all the same", redone, disturbed);
+  const std::int64_t lost = redone + disturbed;
+  const std::string text = fmt::format("{} of {} runs under the clock lost the processor",
+                                       lost == 0 ? "none" : std::to_string(lost), runs);
+  if (lost == 0) return text;
+  if (disturbed == 0) return text + (redone == 1 ? " and was done again" : " and were done again");
+  return fmt::format("{}: {} done again, {} kept all the same", text, redone, disturbed);
 }
 
 Interruptions operator+(const Interruptions& a, const Interruptions& b) {

@@ -54,7 +54,7 @@ struct Interruptions {
   double percent() const;
   // Then times and their ratios may move, and settle nothing.
   bool is_busy() const;
-  // "12 of 3,400 runs under the clock lost the processor; they were done again".
+  // "12 of 3400 runs under the clock lost the processor and were done again".
   std::string text() const;
 
   friend bool operator==(const Interruptions&, const Interruptions&) = default;

@@ -57,6 +57,7 @@ Json options_of(const Selection& s) {
           {"sample", s.sample},
           {"quick", s.quick},
           {"pictures", s.pictures},
+          {"realtime", s.realtime},
           {"eye", json_of(s.camera.eye)},
           {"target", json_of(s.camera.target)},
           {"up", json_of(s.camera.up)},
@@ -203,6 +204,7 @@ Selection default_run_selection() {
 
 RunInfo run_info_of(const Selection& selection) {
   return {{"machine", machine_name()},
+          {"measuring", measuring_conditions()},
           {"compiler", fmt::format("{} {}", kCompiler, kCompilerVersion)},
           {"flags", kFlags},
           {"version", kVersion},

@@ -23,7 +23,8 @@ TEST_CASE("machine: its name has the instruction set that batch clippers run on,
   CHECK(machine_description().starts_with(machine_name() + ";"));
 }
 
-TEST_CASE("machine: the description of what is timed says what else ran, how it was scheduled, and at which speed") {
+TEST_CASE(
+    "machine: the description of what is timed says what else ran, how it was scheduled, and at which speed") {
   const std::string state = machine_state();
   CHECK(timing_description().starts_with(machine_name() + "; "));
   CHECK(holds(timing_description(), "commit"));

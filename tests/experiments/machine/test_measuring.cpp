@@ -58,12 +58,11 @@ TEST_CASE("measuring: a machine is busy where more than a tenth of the runs was 
 }
 
 TEST_CASE("measuring: what was interrupted is said in words") {
-  CHECK(Interruptions{.runs = 7}.text() == "none of 7 runs lost the processor");
+  CHECK(Interruptions{.runs = 7}.text() == "none of 7 runs under the clock lost the processor");
   CHECK(Interruptions{.runs = 100, .redone = 3}.text() ==
-        "3 of 100 runs under the clock lost the processor; they were done again");
-  CHECK(
-      Interruptions{.runs = 100, .redone = 3, .disturbed = 1}.text() ==
-      "4 of 100 runs under the clock lost the processor; 3 were done again, 1 count all the same");
+        "3 of 100 runs under the clock lost the processor and were done again");
+  CHECK(Interruptions{.runs = 100, .redone = 3, .disturbed = 1}.text() ==
+        "4 of 100 runs under the clock lost the processor: 3 done again, 1 kept all the same");
 }
 
 TEST_CASE("measuring: runs add up, and what came later is the difference") {

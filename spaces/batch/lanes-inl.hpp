@@ -89,8 +89,12 @@ class LaneCutter {
   static constexpr int kSlots = 5;
 
   // A vertex of every triangle: coordinates, and its number: 0 to 2 are the original ones,
-  // 3 + 2 p and 4 + 2 p those where the edges leave the inside of plane p and enter it.
+  // 3 + 2 p and 4 + 2 p those where the edges leave the inside of plane p and enter it. Its
+  // constructor is written out, since GCC compiles implicit ones for no target.
   struct Corner {
+    HWY_INLINE Corner() {}
+    HWY_INLINE Corner(V x, V y, V z, V w, V n) : c{x, y, z, w}, number(n) {}
+
     V c[4];
     V number;
   };
@@ -111,7 +115,7 @@ class LaneCutter {
     for (int v = 0; v < 3; ++v) {
       const auto p = load_positions_at(
           kD8, [&](std::size_t lane) { return lane < count ? position(lane, v) : kNothing; });
-      original_[v] = slots_[v] = {{p.x, p.y, p.z, p.w}, hn::Set(kD8, static_cast<float>(v))};
+      original_[v] = slots_[v] = {p.x, p.y, p.z, p.w, hn::Set(kD8, static_cast<float>(v))};
     }
     slots_[3] = slots_[4] = slots_[0];
     size_ = hn::Set(kD8, 3.0f);

@@ -269,28 +269,29 @@ struct FromOriginals {
                head = hn::Add(head_a, head_b),
                tail = hn::Add(hn::MulSub(of_a, d_a, head_a), hn::MulSub(of_b, d_b, head_b)),
                sign = hn::IfThenElse(hn::Eq(head, hn::Zero(d)), tail, head);
+    // 1, 0 or -1, and NaN where a difference is not exact, as floats.
+    const auto compared =
+        hn::DemoteTo(DF(), hn::IfThenElse(hn::Or(lost(a, d_a), lost(b, d_b)),
+                                          hn::Set(d, std::numeric_limits<double>::quiet_NaN()),
+                                          hn::Sub(one_where(hn::Gt(sign, hn::Zero(d))),
+                                                  one_where(hn::Lt(sign, hn::Zero(d))))));
     const auto bits_low = hn::BitCast(DU(), low), bits_high = hn::BitCast(DU(), high);
-    const auto one = hn::Set(DU(), 1);
-    const auto neighbours = hn::Or(hn::Eq(hn::Sub(bits_high, bits_low), one),
-                                   hn::Eq(hn::Sub(bits_low, bits_high), one));
-    HWY_ALIGN double signs[8];
-    HWY_ALIGN std::uint32_t decided[8];
-    hn::Store(hn::IfThenElse(hn::Or(lost(a, d_a), lost(b, d_b)),
-                             hn::Set(d, std::numeric_limits<double>::quiet_NaN()), sign),
-              d, signs);
-    hn::Store(hn::IfThenElseZero(neighbours, open), DU(), decided);
-    HWY_ALIGN float highs[8];
-    HWY_ALIGN std::uint32_t rest[8];
-    hn::Store(high, DF(), highs);
-    hn::Store(open, DU(), rest);
-    for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
-      if (decided[i] == 0 || std::isnan(signs[i])) continue;
-      const bool is_odd = (std::bit_cast<std::uint32_t>(nearest[i]) & 1) != 0;
-      if (signs[i] > 0 || (signs[i] == 0 && is_odd)) nearest[i] = highs[i];
-      rest[i] = 0;
-    }
-    return hn::Load(DU(), rest);
+    const auto one = hn::Set(DU(), 1), none = hn::Zero(DU());
+    const auto is_next = hn::Or(hn::Eq(hn::Sub(bits_high, bits_low), one),
+                                hn::Eq(hn::Sub(bits_low, bits_high), one));
+    const auto is_known = hn::And(hn::RebindMask(DU(), hn::Eq(compared, compared)), is_next);
+    const auto is_tie = hn::RebindMask(DU(), hn::Eq(compared, hn::Zero(DF())));
+    const auto is_odd = hn::Eq(hn::And(bits_low, one), one);
+    const auto is_above = hn::RebindMask(DU(), hn::Gt(compared, hn::Zero(DF())));
+    const auto is_high =
+        hn::And(hn::And(is_known, hn::Ne(open, none)), hn::Or(is_above, hn::And(is_tie, is_odd)));
+    hn::StoreU(hn::IfThenElse(hn::RebindMask(DF(), is_high), high, low), DF(), nearest);
+    return hn::IfThenZeroElse(is_known, open);
 #endif
+  }
+
+  static HWY_INLINE Vec one_where(hn::Mask<D> mask) {
+    return hn::IfThenElseZero(mask, hn::Set(D(), 1.0));
   }
 
   // The vertex where the polygon goes over from one line to the other: what is in doubt, by

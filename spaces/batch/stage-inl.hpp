@@ -126,8 +126,8 @@ class Stage {
     std::size_t copied = 0;
     for (; copied + kMostLanes <= count; copied += kMostLanes, from += size, to += size) {
       prefetch_ahead(from, size * sizeof(float));
-      if (!hn::AllTrue(kD16, classify_next(own, from, stride).inside(kD16))) break;
-      copy_floats(kD8, from, size, to);
+      if (!hn::AllTrue(kD16, classify_next(own, from, stride).inside)) break;
+      copy_floats(kD16, from, size, to);
     }
     writer.add_triangles(copied, [=](std::size_t i) { return first + i; });
     access_.tally().inside += copied;

@@ -30,9 +30,8 @@ HWY_INLINE std::size_t classify_streams(D d, const ClipLimits& limits, const Tri
     const Positions<D> vertices[3] = {vertex(0), vertex(1), vertex(2)};
     const Triangles<D> triangles = classify(d, limits, vertices);
     if (hn::AllFalse(d, triangles.survive)) continue;
-    const auto inside = triangles.inside(d);
-    writer.inside = append_numbers(du, first + t, mask_bits(d, inside), writer.inside);
-    for (unsigned rest = mask_bits(d, hn::AndNot(inside, triangles.survive)); rest != 0;
+    writer.inside = append_numbers(du, first + t, mask_bits(d, triangles.inside), writer.inside);
+    for (unsigned rest = mask_bits(d, hn::AndNot(triangles.inside, triangles.survive)); rest != 0;
          rest &= rest - 1) {
       const auto cut = t + static_cast<std::size_t>(std::countr_zero(rest));
       out.triangle[out.count++] = static_cast<std::uint16_t>(cut);

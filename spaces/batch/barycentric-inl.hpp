@@ -49,15 +49,18 @@ struct FromOriginals {
   using Vec = hn::Vec<D>;
 
   // Both return the number of vertices, or kGiveUp.
-  template <class V>
+  template <class V, class Splits>
   HWY_INLINE int cut_one_plane(const V* const vertex[3], const CodePlane& plane,
-                               const Split<double>& split, V* out) const {
-    if (split.outside == 0) return cut_at_vertex(vertex, plane, out);
-    const Apex& order = kApex[split.outside];
+                               const Splits& splits, std::size_t lane, V* out) const {
+    const unsigned outside = splits.outside(lane);
+    if (outside == 0) return cut_at_vertex(vertex, plane, out);
+    const Apex& order = kApex[outside];
     const std::size_t stride = shape.floats();
     copy_vertex(shape, vertex[order.first], out);
     copy_vertex(shape, vertex[order.c], out + stride);
-    write_two_means(vertex, order, split, plane, out + order.place_of_b * stride, out + 2 * stride);
+    const Edge b{splits.b(lane), splits.apex(lane), splits.over_b(lane)},
+        c{splits.c(lane), splits.apex(lane), splits.over_c(lane)};
+    write_two_means(vertex, order, b, c, plane, out + order.place_of_b * stride, out + 2 * stride);
     return order.size;
   }
 
@@ -151,9 +154,10 @@ struct FromOriginals {
     }
   }
 
-  // Weights of the ends of an edge, and one over their sum.
+  // Weights of the ends of an edge, and one over their sum: where they are kept, so that they are
+  // loaded into all lanes at once.
   struct Edge {
-    double of_a, of_b, reciprocal;
+    const double &of_a, &of_b, &reciprocal;
   };
 
   // The mean of a and b, lanes from i on. A sum that is 0 is +0; where floats have to be certain a
@@ -173,11 +177,10 @@ struct FromOriginals {
 
   // Where a plane cuts the edges from the apex to b and c.
   template <class V>
-  HWY_INLINE void write_two_means(const V* const vertex[3], const Apex& order,
-                                  const Split<double>& split, const CodePlane& plane, V* to_b,
+  HWY_INLINE void write_two_means(const V* const vertex[3], const Apex& order, const Edge& edge_b,
+                                  const Edge& edge_c, const CodePlane& plane, V* to_b,
                                   V* to_c) const {
     const D d;
-    const Edge edge_b{split.b, split.apex, split.of_b}, edge_c{split.c, split.apex, split.of_c};
     const V *a = vertex[order.apex], *b = vertex[order.b], *c = vertex[order.c];
     const bool sets_z = plane.w_weight == 0;
     // Whole vectors that reach into the next vertex must not be written before it is.
@@ -199,20 +202,20 @@ struct FromOriginals {
     }
     if constexpr (kCertain) {
       if (HWY_LIKELY(is_none(open))) return;
-      settle_two_means(vertex, order, split, plane, to_b, to_c);
+      settle_two_means(vertex, order, edge_b, edge_c, plane, to_b, to_c);
     }
   }
 
   // Whatever is open of them.
   HWY_NOINLINE void settle_two_means(const float* const vertex[3], const Apex& order,
-                                     const Split<double>& split, const CodePlane& plane,
+                                     const Edge& edge_b, const Edge& edge_c, const CodePlane& plane,
                                      float* to_b, float* to_c) const {
     const int line = line_of(plane);
     const bool inside = order.size == 3;  // then the polygon is the apex, to_b, to_c
-    settle(vertex, order.apex, order.b, {split.b, split.apex, split.of_b}, plane,
-           inside ? order.c : line, inside ? line : order.c, to_b);
-    settle(vertex, order.apex, order.c, {split.c, split.apex, split.of_c}, plane,
-           inside ? line : order.b, inside ? order.b : line, to_c);
+    settle(vertex, order.apex, order.b, edge_b, plane, inside ? order.c : line,
+           inside ? line : order.c, to_b);
+    settle(vertex, order.apex, order.c, edge_c, plane, inside ? line : order.b,
+           inside ? order.b : line, to_c);
   }
 
   // What is open of the mean of vertices a and b, where the polygon goes over from one line to the

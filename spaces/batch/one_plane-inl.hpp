@@ -35,15 +35,7 @@ inline constexpr Apex kApex[7] = {{},
                                   {1, 2, 0, 1, 1, 3},
                                   {0, 1, 2, 0, 1, 3}};
 
-// Distances from the plane, their magnitudes, and what the method wants of the edges that are cut.
-template <class T>
-struct Split {
-  unsigned outside;  // a mask of the vertices; 0 if one lies on the plane: then nothing else is set
-  T apex, b, c;      // magnitudes of the distances
-  T of_b, of_c;      // of the edges apex-b and apex-c: 1 over the distance of their ends
-};
-
-// The splits of some triangles, of vertices of V.
+// How planes split some triangles of vertices of V, in T.
 template <class T, class V>
 class Splits {
  public:
@@ -55,8 +47,8 @@ class Splits {
   template <class F>
   HWY_INLINE void add(const CodePlane& plane, F&& value) {
     for (int v = 0; v < 3; ++v) {
-      w_[v][count_] = plane.w_weight * value(v, 3);
-      c_[v][count_] = plane.c_weight * value(v, plane.axis);
+      of_w_[v][count_] = plane.w_weight * value(v, 3);
+      of_c_[v][count_] = plane.c_weight * value(v, plane.axis);
     }
     ++count_;
   }
@@ -66,9 +58,16 @@ class Splits {
     for (std::size_t i = 0; i < count_; i += hn::Lanes(kD)) compute(i);
   }
 
-  HWY_INLINE Split<T> operator[](std::size_t i) const {
-    return {static_cast<unsigned>(outside_[i]), apex_[i], b_[i], c_of_[i], of_b_[i], of_c_[i]};
-  }
+  // Of a triangle, in the order in which they were added: a mask of the vertices that are outside,
+  // 0 if one lies on the plane: then nothing else holds.
+  HWY_INLINE unsigned outside(std::size_t i) const { return static_cast<unsigned>(outside_[i]); }
+  // The magnitudes of the distances of the apex, of b and of c.
+  HWY_INLINE const T& apex(std::size_t i) const { return apex_[i]; }
+  HWY_INLINE const T& b(std::size_t i) const { return b_[i]; }
+  HWY_INLINE const T& c(std::size_t i) const { return c_[i]; }
+  // One over those of b and of c from the apex.
+  HWY_INLINE const T& over_b(std::size_t i) const { return over_b_[i]; }
+  HWY_INLINE const T& over_c(std::size_t i) const { return over_c_[i]; }
 
  private:
   using D = hn::CappedTag<T, 8>;
@@ -79,7 +78,7 @@ class Splits {
     hn::Vec<D> d[3];
     hn::Mask<D> out[3];
     for (int v = 0; v < 3; ++v) {
-      d[v] = hn::Add(load(kD, w_[v] + i), load(kD, c_[v] + i));
+      d[v] = hn::Add(load(kD, of_w_[v] + i), load(kD, of_c_[v] + i));
       out[v] = hn::Lt(d[v], hn::Zero(kD));
     }
     // The apex is the vertex whose two others are on one side.
@@ -92,9 +91,9 @@ class Splits {
     const auto one = hn::Set(kD, T(1));
     hn::Store(apex, kD, apex_ + i);
     hn::Store(b, kD, b_ + i);
-    hn::Store(c, kD, c_of_ + i);
-    hn::Store(hn::Div(one, hn::Add(apex, b)), kD, of_b_ + i);
-    hn::Store(hn::Div(one, hn::Add(apex, c)), kD, of_c_ + i);
+    hn::Store(c, kD, c_ + i);
+    hn::Store(hn::Div(one, hn::Add(apex, b)), kD, over_b_ + i);
+    hn::Store(hn::Div(one, hn::Add(apex, c)), kD, over_c_ + i);
     const DU du;
     const auto bit = [&](int v) {
       return hn::IfThenElseZero(hn::RebindMask(du, out[v]), hn::Set(du, Word{1} << v));
@@ -106,8 +105,8 @@ class Splits {
 
   std::size_t count_ = 0;
   // Terms of the distances; beyond the count whatever was there before.
-  HWY_ALIGN V w_[3][kMost] = {}, c_[3][kMost] = {};
-  HWY_ALIGN T apex_[kMost], b_[kMost], c_of_[kMost], of_b_[kMost], of_c_[kMost];
+  HWY_ALIGN V of_w_[3][kMost] = {}, of_c_[3][kMost] = {};
+  HWY_ALIGN T apex_[kMost], b_[kMost], c_[kMost], over_b_[kMost], over_c_[kMost];
   HWY_ALIGN Word outside_[kMost];
 };
 

@@ -137,11 +137,13 @@ class Stage {
 
   // Triangles [first, first + count), as classified.
   HWY_INLINE void copy_block(const float* block, std::size_t first, std::size_t count) {
-    const std::size_t stride = straddlers_.shape.floats(), size = 3 * kBlock * stride;
+    const std::size_t size = 3 * kBlock * straddlers_.shape.floats();
     Writer writer = access_.block(survivors_.count);
     access_.tally().rejected += count - survivors_.count;
-    const auto at = [&](std::size_t i, int v) {
-      return block + (3 * survivors_.triangle[i] + static_cast<std::size_t>(v)) * stride;
+    const auto at = [&survivors = survivors_, block, shape = straddlers_.shape](std::size_t i,
+                                                                                int v) {
+      return block + (std::size_t{3} * survivors.triangle[i] + static_cast<std::size_t>(v)) *
+                         shape.floats();
     };
     straddlers_.begin(survivors_);
     NextLines next_block(block + size, size);

@@ -173,7 +173,7 @@ class OriginalCuts {
       }
       splits_.compute();
     });
-    return s.moderate ? way(tally).cut_one_plane(vertex, plane, splits_[lane], out) : kGiveUp;
+    return s.moderate ? way(tally).cut_one_plane(vertex, plane, splits_, lane, out) : kGiveUp;
   }
 
   template <class At>

@@ -47,9 +47,14 @@ struct alignas(32) ClipLimits {
   std::uint32_t keep[8] = {~0u, ~0u, ~0u, 0, ~0u, ~0u, ~0u, 0};
   float fill[8] = {0, 0, 0, kLargest, 0, 0, 0, -kLeast};
   float negative[8] = {0, 0, 0, 0, -0.0f, -0.0f, -0.0f, -0.0f};
+  // The signed distances of the planes in these lanes, as CodePlane has them; 0 in lanes 3 and 7.
+  float w_weight[8] = {1, 1, 1, 0, 1, 1, 1, 0}, c_weight[8] = {-1, -1, -1, 0, 1, 1, 1, 0};
 
   explicit ClipLimits(DepthRange depth) {
-    if (depth != DepthRange::minus_one_to_one) keep[6] = 0;
+    if (depth != DepthRange::minus_one_to_one) {
+      keep[6] = 0;
+      w_weight[6] = 0;
+    }
   }
 
   // Which comparisons of lanes lane, lane + 1, … the vertex at v passes.
@@ -277,8 +282,8 @@ HWY_INLINE Codes triangle_codes(const ClipLimits& limits, const double* v, std::
 // have.
 struct Survivors {
   std::uint32_t count = 0;
-  std::uint16_t triangle[kBlock + kMostLanes];
-  std::uint8_t any[kBlock + 64];  // whole vectors may be read
+  std::uint16_t triangle[kMostBlock + kMostLanes];
+  std::uint8_t any[kMostBlock + 64];  // whole vectors may be read
 
   // Without a branch: what is not kept is overwritten.
   HWY_INLINE void add(std::size_t t, unsigned some, bool survives) {

@@ -16,6 +16,9 @@ namespace clipscope::batch {
 // Triangles are classified, then cut, in blocks: what some blocks read and write stays in cache.
 inline constexpr std::size_t kBlock = 256;
 
+// Where triangles inside are not copied blocks are larger, so that lanes fill up with straddlers.
+inline constexpr std::size_t kMostBlock = 1024;
+
 // Room that is kept free behind the last vertex, since whole vectors are stored.
 inline constexpr std::size_t kSlack = 64;
 

@@ -127,7 +127,7 @@ class MeshBlock {
     out[1] = static_cast<std::uint16_t>(second(b) | first(c) | second(c));
   }
 
-  std::uint16_t codes_[kBlock + kRun];
+  std::uint16_t codes_[kMostBlock + kRun];
 };
 
 }  // namespace clipscope::batch::HWY_NAMESPACE

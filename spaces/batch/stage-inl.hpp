@@ -20,9 +20,8 @@ namespace clipscope::batch::HWY_NAMESPACE {
 template <class S>
 class Held {
  public:
-  // Also sets the bits of their vertices.
-  HWY_INLINE void hold(const S& shape, const ClipLimits& limits, const TriangleStreams& in,
-                       std::size_t first, Survivors& survivors) {
+  HWY_INLINE void hold(const S& shape, const TriangleStreams& in, std::size_t first,
+                       const Survivors& survivors) {
     const std::size_t stride = shape.floats(), attributes = stride - 4;
     for (std::size_t i = 0; i < survivors.count; ++i) {
       const std::size_t t = first + survivors.triangle[i];
@@ -35,7 +34,6 @@ class Held {
         hn::StoreU(hn::ConcatLowerLower(kD4, zw, xy), kD4, to + v * stride);
         std::copy_n(from, attributes, to + v * stride + 4);
       }
-      survivors.any[i] = static_cast<std::uint8_t>(triangle_codes(limits, to, stride).any);
     }
   }
   HWY_INLINE const float* vertex(const S& shape, std::size_t i, int v) const {
@@ -43,7 +41,7 @@ class Held {
   }
 
  private:
-  HWY_ALIGN float memory_[kBlock * 3 * S::kMostFloats + kSlack];
+  HWY_ALIGN float memory_[kMostBlock * 3 * S::kMostFloats + kSlack];
 };
 
 // The stage in its contracts, one call of one of them: the straddlers with the plain version behind
@@ -59,14 +57,17 @@ class Stage {
   void copy(const VertexArray& in) {
     const std::size_t stride = straddlers_.shape.floats();
     const std::size_t triangles = in.count / 3;
+    bool may_be_inside = true;  // unless a triangle of the block before was outside
     for (std::size_t first = 0; first < triangles;) {
       const float* const block = in.data + 3 * first * stride;
       std::size_t count = std::min(kBlock, triangles - first);
-      if (const std::size_t inside = copy_inside(block, first, count); inside != 0) {
+      const std::size_t inside = may_be_inside ? copy_inside(block, first, count) : 0;
+      if (inside != 0) {
         count = inside;
       } else {
         classify_block(straddlers_.limits, block, stride, count, survivors_);
         copy_block(block, first, count);
+        may_be_inside = survivors_.count == count;
       }
       first += count;
     }
@@ -81,7 +82,7 @@ class Stage {
                                                  first, count, writer, survivors_);
       for (std::size_t t = whole; t < count; ++t) classify_one(in, first, t, writer);
       count_uncut(count, inside, writer);
-      held_.hold(straddlers_.shape, straddlers_.limits, in, first, survivors_);
+      held_.hold(straddlers_.shape, in, first, survivors_);
       const auto at = [&](std::size_t i, int v) { return held_.vertex(straddlers_.shape, i, v); };
       straddlers_.begin(survivors_);
       for (std::size_t i = 0; i < survivors_.count; ++i) cut(survivors_, i, at, first, writer);
@@ -107,11 +108,11 @@ class Stage {
   }
 
  private:
-  // f(first, count) of each, kBlock triangles but for the last.
+  // f(first, count) of each, kMostBlock triangles but for the last.
   template <class F>
   static HWY_INLINE void for_each_block(std::size_t triangles, F&& f) {
-    for (std::size_t first = 0; first < triangles; first += kBlock) {
-      f(first, std::min(kBlock, triangles - first));
+    for (std::size_t first = 0; first < triangles; first += kMostBlock) {
+      f(first, std::min(kMostBlock, triangles - first));
     }
   }
 
@@ -140,9 +141,8 @@ class Stage {
     const std::size_t size = 3 * kBlock * straddlers_.shape.floats();
     Writer writer = access_.block(survivors_.count);
     access_.tally().rejected += count - survivors_.count;
-    const auto at = [&survivors = survivors_, block, shape = straddlers_.shape](std::size_t i,
-                                                                                int v) {
-      return block + (std::size_t{3} * survivors.triangle[i] + static_cast<std::size_t>(v)) *
+    const auto at = [this, block, shape = straddlers_.shape](std::size_t i, int v) {
+      return block + (std::size_t{3} * survivors_.triangle[i] + static_cast<std::size_t>(v)) *
                          shape.floats();
     };
     straddlers_.begin(survivors_);
@@ -167,8 +167,7 @@ class Stage {
     }
     const Codes codes = triangle_codes(straddlers_.limits, position[0], 4);
     if (codes.any == 0) *writer.inside++ = static_cast<std::uint32_t>(first + t);
-    survivors_.triangle[survivors_.count] = static_cast<std::uint16_t>(t);
-    survivors_.count += codes.any != 0 && (codes.all & kPlaneBits) == 0;
+    survivors_.add(t, codes.any, codes.any != 0 && (codes.all & kPlaneBits) == 0);
   }
 
   // Copies survivors from `begin` on as long as they are inside, and returns the first that is not.

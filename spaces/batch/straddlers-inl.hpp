@@ -93,13 +93,7 @@ class ChainCuts {
   template <class At>
   HWY_NOINLINE int cut_several(const Survivor<At>& survivor, const V* const vertex[3], V* out,
                                Tally&) {
-    if (!survivor.moderate) return kGiveUp;
-    const Straddler<V> s{
-        {vertex[0], vertex[1], vertex[2]},
-        {vertex_code(chain_.limits, vertex[0]), vertex_code(chain_.limits, vertex[1]),
-         vertex_code(chain_.limits, vertex[2])},
-        survivor.any()};
-    return chain_.cut_planes(s, out);
+    return !survivor.moderate ? kGiveUp : chain_.cut_planes(vertex, survivor.any(), out);
   }
 
  private:

@@ -209,12 +209,8 @@ HWY_INLINE void for_each_plane(D d, const ClipLimits& limits, F&& f) {
 // What becomes of as many triangles as d has lanes.
 template <class D>
 struct Triangles {
-  hn::Mask<D> survive;
+  hn::Mask<D> survive, inside;
   hn::Vec<hn::RebindToUnsigned<D>> any;  // the bits that some vertex has
-
-  HWY_INLINE hn::Mask<D> inside(D d) const {
-    return hn::RebindMask(d, hn::Eq(any, hn::Zero(hn::RebindToUnsigned<D>())));
-  }
 };
 
 // Classifies triangles by their vertices, plane by plane: so few masks are alive at a time. Each
@@ -222,8 +218,10 @@ struct Triangles {
 template <class D>
 HWY_INLINE Triangles<D> classify(D d, const ClipLimits& limits, const Positions<D> (&v)[3]) {
   const hn::RebindToUnsigned<D> du;
-  Triangles<D> r{hn::FirstN(d, hn::Lanes(d)), hn::Set(du, 0xFF)};
+  const auto all = hn::FirstN(d, hn::Lanes(d));
+  Triangles<D> r{all, all, hn::Set(du, 0xFF)};
   const auto take = [&](hn::Mask<D> passes, int bit) {
+    r.inside = hn::And(r.inside, passes);
     const auto value = hn::Set(du, 1u << bit);
     r.any = hn::Sub(r.any, hn::IfThenElseZero(hn::RebindMask(du, passes), value));
   };

@@ -57,14 +57,17 @@ class Stage {
   void copy(const VertexArray& in) {
     const std::size_t stride = straddlers_.shape.floats();
     const std::size_t triangles = in.count / 3;
+    bool may_be_inside = true;  // unless a triangle of the block before was outside
     for (std::size_t first = 0; first < triangles;) {
       const float* const block = in.data + 3 * first * stride;
       std::size_t count = std::min(kBlock, triangles - first);
-      if (const std::size_t inside = copy_inside(block, first, count); inside != 0) {
+      const std::size_t inside = may_be_inside ? copy_inside(block, first, count) : 0;
+      if (inside != 0) {
         count = inside;
       } else {
         classify_block(straddlers_.limits, block, stride, count, survivors_);
         copy_block(block, first, count);
+        may_be_inside = survivors_.count == count;
       }
       first += count;
     }
@@ -124,8 +127,8 @@ class Stage {
     std::size_t copied = 0;
     for (; copied + kMostLanes <= count; copied += kMostLanes, from += size, to += size) {
       prefetch_ahead(from, size * sizeof(float));
-      if (!hn::AllTrue(kD16, classify_next(own, from, stride).inside(kD16))) break;
-      copy_floats(kD8, from, size, to);
+      if (!hn::AllTrue(kD16, classify_next(own, from, stride).inside)) break;
+      copy_floats(kD16, from, size, to);
     }
     writer.add_triangles(copied, [=](std::size_t i) { return first + i; });
     access_.tally().inside += copied;

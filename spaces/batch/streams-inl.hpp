@@ -30,12 +30,11 @@ HWY_INLINE std::size_t classify_streams(D d, const ClipLimits& limits, const Tri
     const Positions<D> vertices[3] = {vertex(0), vertex(1), vertex(2)};
     const Triangles<D> triangles = classify(d, limits, vertices);
     if (hn::AllFalse(d, triangles.survive)) continue;
-    const auto inside = triangles.inside(d);
-    writer.inside = append_numbers(du, first + t, mask_bits(d, inside), writer.inside);
-    const auto cut = hn::AndNot(inside, triangles.survive);
+    writer.inside = append_numbers(du, first + t, mask_bits(d, triangles.inside), writer.inside);
+    const auto cut = hn::AndNot(triangles.inside, triangles.survive);
     if (hn::AllFalse(d, cut)) continue;
     std::size_t i = out.count;
-    out.add(d, t, {cut, triangles.any});
+    out.add(d, t, {cut, triangles.inside, triangles.any});
     for (; i < out.count; ++i) {
       prefetch_floats(in.attributes + (first + out.triangle[i]) * floats, floats);
     }

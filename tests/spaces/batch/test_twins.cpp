@@ -39,6 +39,25 @@ void check_soups(Numbers numbers, int attributes, std::size_t triangles) {
   }
 }
 
+// So many triangles inside every volume, one of any kind, the next run and so on.
+Soup make_runs_inside(Random& random, int attributes, std::span<const std::size_t> runs) {
+  std::size_t triangles = 0;
+  for (const std::size_t run : runs) triangles += run + 1;
+  Soup soup = make_soup(random, Numbers::near_volume, attributes, triangles);
+  std::size_t t = 0;
+  for (const std::size_t run : runs) {
+    for (const std::size_t end = t + run; t < end; ++t) {
+      for (std::size_t i = 0; i < 12; ++i) {
+        const float x = i % 4 == 3 ? 1.0f : uniform(random, 0.25f, 0.75f);
+        soup.coordinates[i][t] = x;
+        soup.vertices[(3 * t + i / 4) * soup.array().stride() + i % 4] = x;
+      }
+    }
+    ++t;
+  }
+  return soup;
+}
+
 }  // namespace
 
 TEST_CASE("batch: SIMD gives the bits of the plain version, whatever the numbers") {
@@ -77,6 +96,24 @@ TEST_CASE("batch: SIMD gives the bits of the plain version for any number of tri
       check_soups(Numbers::near_volume, 4, triangles);
     }
   });
+}
+
+// Runs around the numbers of lanes and of triangles in a block.
+TEST_CASE("batch: SIMD gives the bits of the plain version for runs of triangles inside") {
+  const std::size_t runs[] = {1, 7, 8, 9, 15, 16, 17, 47, 48, 49, 255, 256, 257, 511, 512, 513};
+  for (const int attributes : {0, 3, 4}) {
+    Random random(9);
+    const Soup soup = make_runs_inside(random, attributes, runs);
+    on_every_target([&] {
+      for (const Method method : kStageMethods) {
+        INFO(name(method) << ", attributes " << attributes);
+        for (const DepthRange depth : kDepths) {
+          check_twins(method, {.depth = depth}, soup.array());
+          check_twins(method, {.depth = depth}, soup.streams());
+        }
+      }
+    });
+  }
 }
 
 namespace {

@@ -98,13 +98,33 @@ HWY_INLINE void prefetch_floats(const float* p, std::size_t count) {
 }
 // The lines of so many bytes, further on by more than the processor looks ahead; they need not
 // exist.
+inline constexpr std::size_t kBytesAhead = 4096, kLineBytes = 64;
 HWY_INLINE void prefetch_ahead(const void* p, std::size_t bytes) {
-  constexpr std::size_t kAhead = 2048, kLine = 64;
-  const auto from = reinterpret_cast<std::uintptr_t>(p) + kAhead;
-  for (std::size_t i = 0; i < bytes; i += kLine) {
+  const auto from = reinterpret_cast<std::uintptr_t>(p) + kBytesAhead;
+  for (std::size_t i = 0; i < bytes; i += kLineBytes) {
     hwy::Prefetch(reinterpret_cast<const char*>(from + i));
   }
 }
+
+// Memory of which some lines at a time are brought into the cache of second level, so that it does
+// not rest while a triangle is cut. Those that prefetch_ahead asks for are left out.
+class NextLines {
+ public:
+  HWY_INLINE NextLines(const float* begin, std::size_t floats)
+      : at_(reinterpret_cast<std::uintptr_t>(begin) + kBytesAhead),
+        end_(reinterpret_cast<std::uintptr_t>(begin + floats)) {}
+
+  HWY_INLINE void prefetch_some() {
+    constexpr std::size_t kLines = 8;
+    if (at_ >= end_) return;
+    for (std::size_t i = 0; i < kLines; ++i, at_ += kLineBytes) {
+      __builtin_prefetch(reinterpret_cast<const char*>(at_), 0, 2);
+    }
+  }
+
+ private:
+  std::uintptr_t at_, end_;
+};
 
 template <class D>
 HWY_INLINE unsigned mask_bits(D d, hn::Mask<D> mask) {
@@ -264,8 +284,8 @@ HWY_INLINE Codes triangle_codes(const ClipLimits& limits, const double* v, std::
 // have.
 struct Survivors {
   std::uint32_t count = 0;
-  std::uint16_t triangle[kBlock + kMostLanes];
-  std::uint8_t any[kBlock + 64];  // whole vectors may be read
+  std::uint16_t triangle[kMostBlock + kMostLanes];
+  std::uint8_t any[kMostBlock + 64];  // whole vectors may be read
 
   // Without a branch: what is not kept is overwritten.
   HWY_INLINE void add(std::size_t t, unsigned some, bool survives) {
@@ -347,33 +367,11 @@ HWY_INLINE void classify_block(const Limits& limits, const V* v, std::size_t str
   out.count = 0;
   if constexpr (std::is_same_v<Limits, ClipLimits> && std::is_same_v<V, float>) {
     for (; t + kMostLanes <= triangles; t += kMostLanes) {
+      prefetch_ahead(at(t), 3 * kMostLanes * stride * sizeof(float));
       out.add(kD16, t, classify_next(own, at(t), stride));
     }
   }
   for (; t < triangles; ++t) out.add(t, triangle_codes(own, at(t), stride));
-}
-
-// The blocks of a group, some triangles of each in turn; of a smaller one, the last, one after the
-// other.
-HWY_INLINE void classify_group(const ClipLimits& limits, const float* v, std::size_t stride,
-                               std::size_t triangles, std::array<Survivors, kBlocksAtOnce>& out) {
-  static_assert(kBlock % kMostLanes == 0);
-  if (triangles < kGroup) {
-    for (std::size_t first = 0; first < triangles; first += kBlock) {
-      classify_block(limits, v + 3 * first * stride, stride, std::min(kBlock, triangles - first),
-                     out[first / kBlock]);
-    }
-    return;
-  }
-  const ClipLimits own = limits;
-  for (Survivors& s : out) s.count = 0;
-  for (std::size_t t = 0; t < kBlock; t += kMostLanes) {
-    for (std::size_t b = 0; b < kBlocksAtOnce; ++b) {
-      const float* const next = v + 3 * (b * kBlock + t) * stride;
-      prefetch_ahead(next, 3 * kMostLanes * stride * sizeof(float));
-      out[b].add(kD16, t, classify_next(own, next, stride));
-    }
-  }
 }
 
 }  // namespace clipscope::batch::HWY_NAMESPACE

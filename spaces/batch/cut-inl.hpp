@@ -125,16 +125,21 @@ HWY_INLINE void copy_vertex(const S& shape, const From* v, To* out) {
   }
 }
 
+// Floats that are whole vectors of d.
+template <class D>
+HWY_INLINE void copy_floats(D d, const float* from, std::size_t count, float* to) {
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    hn::StoreU(hn::LoadU(d, from + i), d, to + i);
+  }
+}
+
 // Three vertices that lie one after the other.
-template <class S, class V>
-HWY_INLINE void copy_triangle(const S& shape, const V* v, V* out) {
+template <class S>
+HWY_INLINE void copy_triangle(const S& shape, const float* v, float* out) {
   if constexpr (S::kLoadsInPlace) {
-    const LanesOf<V, S> d;
-    for (std::size_t i = 0; i < 3 * S::kWidth; i += hn::Lanes(d)) {
-      hn::StoreU(hn::LoadU(d, v + i), d, out + i);
-    }
+    copy_floats(LanesOf<float, S>(), v, 3 * S::kWidth, out);
   } else {
-    std::memcpy(out, v, 3 * shape.floats() * sizeof(V));
+    std::memcpy(out, v, 3 * shape.floats() * sizeof(float));
   }
 }
 

@@ -18,7 +18,7 @@ namespace clipscope::batch::HWY_NAMESPACE {
 
 // Some of a block's survivors, as bits.
 struct Choice {
-  std::uint64_t bits[kBlock / 64] = {};
+  std::uint64_t bits[kMostBlock / 64] = {};
 };
 
 // Hands out survivors of a block, in turn, each with its lane among the next kLanes that are cut.

@@ -16,10 +16,8 @@ namespace clipscope::batch {
 // Triangles are classified, then cut, in blocks: what some blocks read and write stays in cache.
 inline constexpr std::size_t kBlock = 256;
 
-// From so many blocks triangles are read in turn: to several streams memory delivers more than to
-// one.
-inline constexpr std::size_t kBlocksAtOnce = 4;
-inline constexpr std::size_t kGroup = kBlocksAtOnce * kBlock;
+// Where triangles inside are not copied blocks are larger, so that lanes fill up with straddlers.
+inline constexpr std::size_t kMostBlock = 1024;
 
 // Room that is kept free behind the last vertex, since whole vectors are stored.
 inline constexpr std::size_t kSlack = 64;
@@ -42,13 +40,14 @@ struct Writer {
     end += static_cast<std::uint32_t>(vertices);
     *polygons++ = {static_cast<std::uint32_t>(triangle), end};
   }
-  // Notes so many triangles, numbers from `first` on, whose vertices were written to `next`.
-  void add_triangles(std::size_t first, const std::uint16_t* numbers, std::size_t count) {
-    const auto base = static_cast<std::uint32_t>(first);
+  // Notes so many triangles whose vertices were written to `next`; number(i): that of the i-th.
+  template <class F>
+  void add_triangles(std::size_t count, F&& number) {
     PolygonEnd* const to = polygons;
     const std::uint32_t begin = end;
     for (std::size_t i = 0; i < count; ++i) {
-      to[i] = {base + numbers[i], begin + 3 * static_cast<std::uint32_t>(i + 1)};
+      to[i] = {static_cast<std::uint32_t>(number(i)),
+               begin + 3 * static_cast<std::uint32_t>(i + 1)};
     }
     polygons += count;
     end += 3 * static_cast<std::uint32_t>(count);

@@ -16,12 +16,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
 
-// f(i) for each i below count, one of each part in turn.
+// f(i) for each i below count, one of each part in turn: to several streams memory delivers more
+// than to one.
 template <class F>
 HWY_INLINE void for_parts_in_turn(std::size_t count, F&& f) {
-  const std::size_t part = count / kBlocksAtOnce, parts = kBlocksAtOnce * part;
+  constexpr std::size_t kParts = 4;
+  const std::size_t part = count / kParts, parts = kParts * part;
   for (std::size_t i = 0; i < part; ++i) {
-    for (std::size_t p = 0; p < kBlocksAtOnce; ++p) f(p * part + i);
+    for (std::size_t p = 0; p < kParts; ++p) f(p * part + i);
   }
   for (std::size_t i = parts; i < count; ++i) f(i);
 }
@@ -125,7 +127,7 @@ class MeshBlock {
     out[1] = static_cast<std::uint16_t>(second(b) | first(c) | second(c));
   }
 
-  std::uint16_t codes_[kBlock + kRun];
+  std::uint16_t codes_[kMostBlock + kRun];
 };
 
 }  // namespace clipscope::batch::HWY_NAMESPACE

@@ -20,9 +20,8 @@ namespace clipscope::batch::HWY_NAMESPACE {
 template <class S>
 class Held {
  public:
-  // Also sets the bits of their vertices.
-  HWY_INLINE void hold(const S& shape, const ClipLimits& limits, const TriangleStreams& in,
-                       std::size_t first, Survivors& survivors) {
+  HWY_INLINE void hold(const S& shape, const TriangleStreams& in, std::size_t first,
+                       const Survivors& survivors) {
     const std::size_t stride = shape.floats(), attributes = stride - 4;
     for (std::size_t i = 0; i < survivors.count; ++i) {
       const std::size_t t = first + survivors.triangle[i];
@@ -35,7 +34,6 @@ class Held {
         hn::StoreU(hn::ConcatLowerLower(kD4, zw, xy), kD4, to + v * stride);
         std::copy_n(from, attributes, to + v * stride + 4);
       }
-      survivors.any[i] = static_cast<std::uint8_t>(triangle_codes(limits, to, stride).any);
     }
   }
   HWY_INLINE const float* vertex(const S& shape, std::size_t i, int v) const {
@@ -43,7 +41,7 @@ class Held {
   }
 
  private:
-  HWY_ALIGN float memory_[kBlock * 3 * S::kMostFloats + kSlack];
+  HWY_ALIGN float memory_[kMostBlock * 3 * S::kMostFloats + kSlack];
 };
 
 // The stage in its contracts, one call of one of them: the straddlers with the plain version behind
@@ -58,12 +56,18 @@ class Stage {
 
   void copy(const VertexArray& in) {
     const std::size_t stride = straddlers_.shape.floats();
-    for_each_block<kGroup>(in.count / 3, [&](std::size_t first, std::size_t count) {
-      classify_group(straddlers_.limits, in.data + 3 * first * stride, stride, count, at_once_);
-      for_each_block(count, [&](std::size_t begin, std::size_t size) {
-        copy_block(in.data, first + begin, size, at_once_[begin / kBlock]);
-      });
-    });
+    const std::size_t triangles = in.count / 3;
+    for (std::size_t first = 0; first < triangles;) {
+      const float* const block = in.data + 3 * first * stride;
+      std::size_t count = std::min(kBlock, triangles - first);
+      if (const std::size_t inside = copy_inside(block, first, count); inside != 0) {
+        count = inside;
+      } else {
+        classify_block(straddlers_.limits, block, stride, count, survivors_);
+        copy_block(block, first, count);
+      }
+      first += count;
+    }
   }
 
   void reference(const TriangleStreams& in) {
@@ -75,7 +79,7 @@ class Stage {
                                                  first, count, writer, survivors_);
       for (std::size_t t = whole; t < count; ++t) classify_one(in, first, t, writer);
       count_uncut(count, inside, writer);
-      held_.hold(straddlers_.shape, straddlers_.limits, in, first, survivors_);
+      held_.hold(straddlers_.shape, in, first, survivors_);
       const auto at = [&](std::size_t i, int v) { return held_.vertex(straddlers_.shape, i, v); };
       straddlers_.begin(survivors_);
       for (std::size_t i = 0; i < survivors_.count; ++i) cut(survivors_, i, at, first, writer);
@@ -101,31 +105,51 @@ class Stage {
   }
 
  private:
-  // f(first, count) of each, kSize triangles but for the last.
-  template <std::size_t kSize = kBlock, class F>
+  // f(first, count) of each, kMostBlock triangles but for the last.
+  template <class F>
   static HWY_INLINE void for_each_block(std::size_t triangles, F&& f) {
-    for (std::size_t first = 0; first < triangles; first += kSize) {
-      f(first, std::min(kSize, triangles - first));
+    for (std::size_t first = 0; first < triangles; first += kMostBlock) {
+      f(first, std::min(kMostBlock, triangles - first));
     }
   }
 
+  // Copies triangles from the first on, whole vectors of them, as long as they are inside; returns
+  // how many. A processor stores them while it classifies the next ones.
+  HWY_INLINE std::size_t copy_inside(const float* block, std::size_t first, std::size_t count) {
+    const ClipLimits own = straddlers_.limits;  // no store can be taken for one to them
+    const std::size_t stride = straddlers_.shape.floats(), size = 3 * kMostLanes * stride;
+    Writer writer = access_.block(count);
+    const float* from = block;
+    float* to = writer.next;
+    std::size_t copied = 0;
+    for (; copied + kMostLanes <= count; copied += kMostLanes, from += size, to += size) {
+      prefetch_ahead(from, size * sizeof(float));
+      if (!hn::AllTrue(kD16, classify_next(own, from, stride).inside(kD16))) break;
+      copy_floats(kD8, from, size, to);
+    }
+    writer.add_triangles(copied, [=](std::size_t i) { return first + i; });
+    access_.tally().inside += copied;
+    access_.commit(writer);
+    return copied;
+  }
+
   // Triangles [first, first + count), as classified.
-  HWY_INLINE void copy_block(const float* vertices, std::size_t first, std::size_t count,
-                             const Survivors& survivors) {
-    const std::size_t stride = straddlers_.shape.floats();
-    const float* const block = vertices + first * 3 * stride;
-    Writer writer = access_.block(survivors.count);
-    access_.tally().rejected += count - survivors.count;
-    const auto at = [&survivors, block, shape = straddlers_.shape](std::size_t i, int v) {
-      return block + (std::size_t{3} * survivors.triangle[i] + static_cast<std::size_t>(v)) *
+  HWY_INLINE void copy_block(const float* block, std::size_t first, std::size_t count) {
+    const std::size_t size = 3 * kBlock * straddlers_.shape.floats();
+    Writer writer = access_.block(survivors_.count);
+    access_.tally().rejected += count - survivors_.count;
+    const auto at = [this, block, shape = straddlers_.shape](std::size_t i, int v) {
+      return block + (std::size_t{3} * survivors_.triangle[i] + static_cast<std::size_t>(v)) *
                          shape.floats();
     };
-    straddlers_.begin(survivors);
-    for (std::size_t i = 0; i < survivors.count;) {
-      if (survivors.any[i] == 0) {
-        i = copy_run(block, first, survivors, i, writer);
+    straddlers_.begin(survivors_);
+    NextLines next_block(block + size, size);
+    for (std::size_t i = 0; i < survivors_.count;) {
+      if (survivors_.any[i] == 0) {
+        i = copy_run(block, first, i, writer);
       } else {
-        cut(survivors, i++, at, first, writer);
+        next_block.prefetch_some();
+        cut(survivors_, i++, at, first, writer);
       }
     }
     access_.commit(writer);
@@ -140,21 +164,21 @@ class Stage {
     }
     const Codes codes = triangle_codes(straddlers_.limits, position[0], 4);
     if (codes.any == 0) *writer.inside++ = static_cast<std::uint32_t>(first + t);
-    survivors_.triangle[survivors_.count] = static_cast<std::uint16_t>(t);
-    survivors_.count += codes.any != 0 && (codes.all & kPlaneBits) == 0;
+    survivors_.add(t, codes.any, codes.any != 0 && (codes.all & kPlaneBits) == 0);
   }
 
   // Copies survivors from `begin` on as long as they are inside, and returns the first that is not.
   // Polygons are noted after the vertices: stores to two places in turn take twice as long.
-  HWY_INLINE std::size_t copy_run(const float* block, std::size_t first, const Survivors& survivors,
-                                  std::size_t begin, Writer& writer) const {
+  HWY_INLINE std::size_t copy_run(const float* block, std::size_t first, std::size_t begin,
+                                  Writer& writer) const {
     const std::size_t size = 3 * straddlers_.shape.floats();
     float* next = writer.next;
     std::size_t end = begin;
-    for (; end < survivors.count && survivors.any[end] == 0; ++end, next += size) {
-      copy_triangle(straddlers_.shape, block + survivors.triangle[end] * size, next);
+    for (; end < survivors_.count && survivors_.any[end] == 0; ++end, next += size) {
+      copy_triangle(straddlers_.shape, block + survivors_.triangle[end] * size, next);
     }
-    writer.add_triangles(first, survivors.triangle + begin, end - begin);
+    writer.add_triangles(end - begin,
+                         [&](std::size_t i) { return first + survivors_.triangle[begin + i]; });
     access_.tally().inside += end - begin;
     return end;
   }
@@ -201,8 +225,7 @@ class Stage {
   Straddlers<M, K, float> straddlers_;
   const OutputAccess access_;
   Held<Shape<K>> held_;
-  Survivors survivors_;                           // of a block
-  std::array<Survivors, kBlocksAtOnce> at_once_;  // of a group
+  Survivors survivors_;  // of a block
 };
 
 }  // namespace clipscope::batch::HWY_NAMESPACE

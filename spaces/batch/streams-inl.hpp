@@ -32,11 +32,12 @@ HWY_INLINE std::size_t classify_streams(D d, const ClipLimits& limits, const Tri
     if (hn::AllFalse(d, triangles.survive)) continue;
     const auto inside = triangles.inside(d);
     writer.inside = append_numbers(du, first + t, mask_bits(d, inside), writer.inside);
-    for (unsigned rest = mask_bits(d, hn::AndNot(inside, triangles.survive)); rest != 0;
-         rest &= rest - 1) {
-      const auto cut = t + static_cast<std::size_t>(std::countr_zero(rest));
-      out.triangle[out.count++] = static_cast<std::uint16_t>(cut);
-      prefetch_floats(in.attributes + (first + cut) * floats, floats);
+    const auto cut = hn::AndNot(inside, triangles.survive);
+    if (hn::AllFalse(d, cut)) continue;
+    std::size_t i = out.count;
+    out.add(d, t, {cut, triangles.any});
+    for (; i < out.count; ++i) {
+      prefetch_floats(in.attributes + (first + out.triangle[i]) * floats, floats);
     }
   }
   return t;

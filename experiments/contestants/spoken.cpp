@@ -94,6 +94,7 @@ constexpr std::array kSets = {Spoken{"teapot", "the teapot"},
                               Spoken{"soup_outside", "triangles outside the volume"},
                               Spoken{"soup_straddling", "straddling triangles"},
                               Spoken{"soup_behind", "triangles that reach behind the eye"},
+                              Spoken{"soup_several_planes", "triangles across several planes"},
                               Spoken{"teapot field", "the field of teapots"},
                               Spoken{"telephoto", "the telephoto view"},
                               Spoken{"overlay", "the overlay"},
@@ -101,7 +102,8 @@ constexpr std::array kSets = {Spoken{"teapot", "the teapot"},
                               Spoken{"game_like", "the game-like mix"},
                               Spoken{"inside", "triangles inside the volume"},
                               Spoken{"outside", "triangles outside the volume"},
-                              Spoken{"straddling", "straddling triangles"}};
+                              Spoken{"straddling", "straddling triangles"},
+                              Spoken{"several_planes", "triangles across several planes"}};
 
 std::string in_words(std::string_view name) {
   std::string words(name);

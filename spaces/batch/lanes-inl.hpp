@@ -85,8 +85,11 @@ class LaneCutter {
   static constexpr int kSlots = 5;
 
   // A vertex of every triangle: its distances, and its number: 0 to 2 are the original ones,
-  // 3 + 2 p and 4 + 2 p those where the edges leave the inside of plane p and enter it.
+  // 3 + 2 p and 4 + 2 p those where the edges leave the inside of plane p and enter it. Its
+  // constructor is written out, since GCC compiles implicit ones for no target.
   struct Corner {
+    HWY_INLINE Corner() {}
+
     V d[kPlanes];
     V number;
   };

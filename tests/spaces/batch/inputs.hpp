@@ -46,8 +46,10 @@ inline float number(Random& random, Numbers numbers) {
                                 -0.0f};
   switch (numbers) {
     case Numbers::lattice: return (static_cast<float>(random() % 25) - 12) / 4;
-    case Numbers::wide:
-      return std::ldexp(uniform(random, -1, 1), static_cast<int>(random() % 268) - 140);
+    case Numbers::wide: {
+      const int exponent = static_cast<int>(random() % 268) - 140;
+      return std::ldexp(uniform(random, -1, 1), exponent);
+    }
     case Numbers::special:
       if (random() % 8 == 0) return kSpecial[random() % std::size(kSpecial)];
       [[fallthrough]];

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // SIMD against the plain version, bit for bit, on every instruction set that this processor has.
-#include <hwy/targets.h>
-
 #include <optional>
 #include <random>
 
 #include "tests/catch.hpp"
 #include "tests/spaces/batch/inputs.hpp"
+#include "tests/spaces/batch/on_every_target.hpp"
 #include "tests/spaces/hard_set.hpp"
 
 namespace clipscope::batch::tests {
@@ -15,17 +14,6 @@ namespace {
 
 constexpr DepthRange kDepths[] = {DepthRange::minus_one_to_one, DepthRange::zero_to_one,
                                   DepthRange::reversed};
-
-// Runs f on each instruction set in turn.
-template <class F>
-void on_every_target(F&& f) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    INFO("on " << target_name());
-    f();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-}
 
 template <class Input>
 void check_twins(Method method, const ClipVolume& volume, const Input& input) {

@@ -67,9 +67,11 @@ template <WPlane kPlane>
 Polygon4 cut_by_planes_crossed(const ClipVolume& volume, const Triangle4& triangle) {
   const OutcodeSummary code = summarize_outcodes(volume, triangle);
   if (code.all != 0) return {};
-  Polygon4 polygon, scratch;
-  polygon.assign(triangle);
-  return HomogeneousWFirst<kPlane>::cut(volume, code.any, polygon, scratch);
+  Polygon4 polygon;
+  HomogeneousWFirst<kPlane>::cut_and_then(volume, code.any, triangle, [&](const auto& rest) {
+    for (const auto& v : rest) polygon.push_back(v);
+  });
+  return polygon;
 }
 
 template <WPlane kPlane>

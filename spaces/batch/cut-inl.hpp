@@ -5,7 +5,8 @@
 // Sutherland-Hodgman's polygon has one run of outside vertices per plane, so a bit mask names the
 // edges to be met, and a list of numbers stands for the polygon: nothing is copied from plane to
 // plane. Vertices carry their distances (spaces/measured.hpp). If rounding has made several runs
-// all the same, the plain version takes over. A triangle cut by one plane has its order in a table.
+// all the same, the plain version takes over. A triangle cut by one plane has its order in a table;
+// what that takes of distances comes from one_plane-inl.hpp.
 #if defined(CLIPSCOPE_BATCH_CUT_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_CUT_INL
 #undef CLIPSCOPE_BATCH_CUT_INL
@@ -114,22 +115,6 @@ HWY_INLINE hn::Vec<D> distances(D d, const ViewLimits& limits, const V* v, std::
                            hn::Mul(load(d, limits.z_weight + lane), z));
   return hn::Add(sum, load(d, limits.constant + lane));
 }
-
-// A triangle that one plane cuts: the inside vertices in order, then the edge that leaves the
-// inside and the one that enters it, each by its end inside and its end outside.
-struct OnePlane {
-  std::uint8_t first, second;  // inside; `second` counts only if there are two
-  std::uint8_t inside;         // how many
-  std::uint8_t leave_in, leave_out, enter_in, enter_out;
-};
-// Indexed by the mask of outside vertices, 1 to 6.
-inline constexpr OnePlane kOnePlane[7] = {{},
-                                          {1, 2, 2, 2, 0, 1, 0},
-                                          {2, 0, 2, 0, 1, 2, 1},
-                                          {2, 2, 1, 2, 0, 2, 1},
-                                          {0, 1, 2, 1, 2, 0, 2},
-                                          {1, 1, 1, 1, 2, 1, 0},
-                                          {0, 0, 1, 0, 1, 0, 2}};
 
 // A vertex to the output. Whole vectors may be written: what is behind is written later.
 template <class S, class From, class To>
@@ -269,6 +254,43 @@ HWY_INLINE unsigned outside_mask(const T d[3]) {
          static_cast<unsigned>(d[2] < 0) << 2;
 }
 
+// Where the edge that leaves the inside and the one that enters it meet the plane, from their ends
+// nearer to it, with the bits of `from_nearer_end` (spaces/cut.hpp).
+template <class T>
+struct TwoCuts {
+  // 0 to 2: a mask of the vertices outside; 3 and 4: whether the edges are cut from their ends
+  // outside. 0 if a vertex lies on the plane: then nothing else is set.
+  unsigned word;
+  T leave, enter;
+};
+
+// A triangle that one plane cuts: the inside vertices in order, then the edge that leaves the
+// inside and the one that enters it, each from one end towards the other.
+struct OnePlane {
+  std::uint8_t first, second;  // inside; `second` counts only if there are two
+  std::uint8_t inside;         // how many
+  std::uint8_t leave_from, leave_to, enter_from, enter_to;
+};
+// Indexed by TwoCuts::word.
+inline constexpr std::array<OnePlane, 32> kOnePlane = [] {
+  // Both edges from their ends inside, by the mask of outside vertices, 1 to 6.
+  constexpr OnePlane kFromInside[7] = {{},
+                                       {1, 2, 2, 2, 0, 1, 0},
+                                       {2, 0, 2, 0, 1, 2, 1},
+                                       {2, 2, 1, 2, 0, 2, 1},
+                                       {0, 1, 2, 1, 2, 0, 2},
+                                       {1, 1, 1, 1, 2, 1, 0},
+                                       {0, 0, 1, 0, 1, 0, 2}};
+  std::array<OnePlane, 32> r{};
+  for (std::size_t word = 0; word < r.size(); ++word) {
+    if (word % 8 == 7) continue;
+    r[word] = kFromInside[word % 8];
+    if ((word & 8) != 0) std::swap(r[word].leave_from, r[word].leave_to);
+    if ((word & 16) != 0) std::swap(r[word].enter_from, r[word].enter_to);
+  }
+  return r;
+}();
+
 // Sutherland-Hodgman in T, float or double, of vertices of V in a space with its limits and planes.
 // Both functions write the polygon to `out` and return how many vertices it has, or kGiveUp.
 template <class T, class S, class Limits, class Plane>
@@ -277,22 +299,18 @@ struct Chain {
   const Limits& limits;
   const std::array<Plane, kPlanes>& planes;
 
+  // A triangle that one plane cuts.
   template <class V, class To>
-  HWY_INLINE int cut_one_plane(const V* const vertex[3], const Plane& plane, To* out) const {
-    const T d[3] = {distance<T>(plane, vertex[0]), distance<T>(plane, vertex[1]),
-                    distance<T>(plane, vertex[2])};
-    if (d[0] == 0 || d[1] == 0 || d[2] == 0) return kGiveUp;  // a vertex on the plane
-    const OnePlane& order = kOnePlane[outside_mask(d)];
-    const EdgeCut<T> leave(d[order.leave_in], d[order.leave_out]),
-        enter(d[order.enter_in], d[order.enter_out]);
-    const LanesOf<T, S> lanes;
+  HWY_INLINE int cut_one_plane(const V* const vertex[3], const TwoCuts<T>& cuts, To* out) const {
+    if (cuts.word == 0) return kGiveUp;  // a vertex on the plane
+    const OnePlane& order = kOnePlane[cuts.word];
     const std::size_t stride = shape.floats();
     copy_vertex(shape, vertex[order.first], out);
     copy_vertex(shape, vertex[order.second], out + stride);
     To* cut = out + order.inside * stride;
-    leave.meet(lanes, shape.width(), vertex[order.leave_in], vertex[order.leave_out], cut);
+    meet<T>(shape, vertex[order.leave_from], vertex[order.leave_to], cuts.leave, cut);
     const To w = cut[3];
-    enter.meet(lanes, shape.width(), vertex[order.enter_in], vertex[order.enter_out], cut + stride);
+    meet<T>(shape, vertex[order.enter_from], vertex[order.enter_to], cuts.enter, cut + stride);
     return w > 0 && cut[stride + 3] > 0 ? order.inside + 2 : kGiveUp;
   }
 

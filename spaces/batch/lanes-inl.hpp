@@ -200,15 +200,20 @@ class LaneCutter {
   HWY_INLINE Corner meet_at(M mask, const Corner& in, const Corner& out, int p, int i) {
     const V d_in = in.d[p], beyond = hn::Neg(out.d[p]);
     const M is_outside = hn::Lt(beyond, d_in);
-    const Corner from = either(is_outside, out, in), to = either(is_outside, in, out);
     const V t = hn::Div(hn::Min(d_in, beyond), hn::Sub(d_in, out.d[p]));
+    // From the end outside t (in - out) is -t (out - in), but for the sign of 0, which no decision
+    // looks at.
+    const V along = hn::IfThenElse(is_outside, hn::Neg(t), t);
     Corner r;
     for (int q = 0; q < kPlanes; ++q) {
-      r.d[q] = hn::Add(from.d[q], hn::Mul(t, hn::Sub(to.d[q], from.d[q])));
+      const V from = hn::IfThenElse(is_outside, out.d[q], in.d[q]);
+      r.d[q] = hn::Add(from, hn::Mul(along, hn::Sub(out.d[q], in.d[q])));
     }
     r.number = hn::Set(kD8, static_cast<float>(3 + 2 * p + i));
-    hn::BlendedStore(from.number, mask, kD8, made_[p][i].from);
-    hn::BlendedStore(to.number, mask, kD8, made_[p][i].to);
+    const V from = hn::IfThenElse(is_outside, out.number, in.number),
+            to = hn::IfThenElse(is_outside, in.number, out.number);
+    hn::BlendedStore(from, mask, kD8, made_[p][i].from);
+    hn::BlendedStore(to, mask, kD8, made_[p][i].to);
     hn::BlendedStore(t, mask, kD8, made_[p][i].t);
     return r;
   }

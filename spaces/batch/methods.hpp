@@ -57,7 +57,7 @@ struct HomogeneousBatchDouble {
   static constexpr std::string_view name = "homogeneous/batch_double";
   static constexpr std::string_view summary = "the same in double, rounded to float once";
   static constexpr std::string_view source = HomogeneousSutherlandHodgman::source;
-  static constexpr Promise promise{.ulps = kProjectUlps};
+  static constexpr Promise promise{.ulps = kProjectUlps, .watertight = true};
   using Number = double;
   static constexpr Simd simd = Simd::clip_planes;
 

@@ -4,8 +4,8 @@
 // many at once as a register has lanes.
 //
 // Such a triangle has one vertex, the apex, alone on its side: both edges that are cut meet there.
-// Which one it is shows in the signs of three distances, and is chosen without a branch, which would
-// be mispredicted two times in three.
+// Which one it is shows in the signs of three distances, and is chosen without a branch, which
+// would be mispredicted two times in three.
 #if defined(CLIPSCOPE_BATCH_ONE_PLANE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_ONE_PLANE_INL
 #undef CLIPSCOPE_BATCH_ONE_PLANE_INL
@@ -35,27 +35,92 @@ inline constexpr Apex kApex[7] = {{},
                                   {1, 2, 0, 1, 1, 3},
                                   {0, 1, 2, 0, 1, 3}};
 
-// How planes split some triangles of vertices of V, in T.
+// As many triangles as are cut at once, each by a plane of its own.
+inline constexpr std::size_t kMostSplits = 32;
+
+// The distances in T of some triangles, of vertices of V, from their planes.
 template <class T, class V>
-class Splits {
+class PlaneDistances {
  public:
-  static constexpr std::size_t kMost = 32;
+  using D = hn::CappedTag<T, 8>;
+  static constexpr D kD{};
 
   void clear() { count_ = 0; }
+  std::size_t count() const { return count_; }
 
   // One more; value(v, c): coordinate c of vertex v.
   template <class F>
   HWY_INLINE void add(const CodePlane& plane, F&& value) {
     for (int v = 0; v < 3; ++v) {
-      of_w_[v][count_] = plane.w_weight * value(v, 3);
-      of_c_[v][count_] = plane.c_weight * value(v, plane.axis);
+      a_[v][count_] = plane.w_weight * value(v, 3);
+      b_[v][count_] = plane.c_weight * value(v, plane.axis);
+    }
+    ++count_;
+  }
+  template <class F>
+  HWY_INLINE void add(const ViewCodePlane& plane, F&& value) {
+    for (int v = 0; v < 3; ++v) {
+      a_[v][count_] = plane.own * value(v, plane.axis) + plane.z_weight * value(v, 2);
+      b_[v][count_] = plane.constant;
     }
     ++count_;
   }
 
+  // That of vertex v in triangles i, i + 1, …
+  HWY_INLINE hn::Vec<D> at(int v, std::size_t i) const {
+    return hn::Add(load(kD, a_[v] + i), load(kD, b_[v] + i));
+  }
+
+ private:
+  std::size_t count_ = 0;
+  // Terms of the distances; beyond the count whatever was there before.
+  HWY_ALIGN V a_[3][kMostSplits] = {}, b_[3][kMostSplits] = {};
+};
+
+// Which of three vertices are outside by their distances, and which of them is the apex.
+template <class D>
+struct Sides {
+  hn::Mask<D> outside[3], apex_is_0, apex_is_1;
+
+  HWY_INLINE explicit Sides(const hn::Vec<D> (&d)[3]) {
+    for (int v = 0; v < 3; ++v) outside[v] = hn::Lt(d[v], hn::Zero(D()));
+    const auto same = [&](int a, int b) { return hn::Not(hn::Xor(outside[a], outside[b])); };
+    apex_is_0 = same(1, 2);
+    apex_is_1 = hn::AndNot(apex_is_0, same(0, 2));
+  }
+
+  // By the apex.
+  HWY_INLINE hn::Vec<D> choose(hn::Vec<D> of_0, hn::Vec<D> of_1, hn::Vec<D> of_2) const {
+    return hn::IfThenElse(apex_is_0, of_0, hn::IfThenElse(apex_is_1, of_1, of_2));
+  }
+  HWY_INLINE hn::Vec<D> apex(const hn::Vec<D> (&d)[3]) const { return choose(d[0], d[1], d[2]); }
+  HWY_INLINE hn::Vec<D> b(const hn::Vec<D> (&d)[3]) const { return choose(d[1], d[2], d[0]); }
+  HWY_INLINE hn::Vec<D> c(const hn::Vec<D> (&d)[3]) const { return choose(d[2], d[0], d[1]); }
+};
+
+// Masks as the bits of a word in each lane, the first one lowest.
+template <class D, std::size_t N>
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> words(const hn::Mask<D> (&masks)[N]) {
+  const hn::RebindToUnsigned<D> du;
+  auto r = hn::Zero(du);
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto bit = hn::Set(du, hn::TFromD<decltype(du)>{1} << i);
+    r = hn::Or(r, hn::IfThenElseZero(hn::RebindMask(du, masks[i]), bit));
+  }
+  return r;
+}
+
+// How planes split some triangles of vertices of V, in T.
+template <class T, class V>
+class Splits : public PlaneDistances<T, V> {
+  using D = typename PlaneDistances<T, V>::D;
+  using DU = hn::RebindToUnsigned<D>;
+  static constexpr D kD{};
+
+ public:
   // After the last.
   HWY_INLINE void compute() {
-    for (std::size_t i = 0; i < count_; i += hn::Lanes(kD)) compute(i);
+    for (std::size_t i = 0; i < this->count(); i += hn::Lanes(kD)) compute(i);
   }
 
   // Of a triangle, in the order in which they were added: a mask of the vertices that are outside,
@@ -70,44 +135,69 @@ class Splits {
   HWY_INLINE const T& over_c(std::size_t i) const { return over_c_[i]; }
 
  private:
-  using D = hn::CappedTag<T, 8>;
-  using DU = hn::RebindToUnsigned<D>;
-  using Word = hn::TFromD<DU>;
-  static constexpr D kD{};
   HWY_INLINE void compute(std::size_t i) {
-    hn::Vec<D> d[3];
-    hn::Mask<D> out[3];
-    for (int v = 0; v < 3; ++v) {
-      d[v] = hn::Add(load(kD, of_w_[v] + i), load(kD, of_c_[v] + i));
-      out[v] = hn::Lt(d[v], hn::Zero(kD));
-    }
-    // The apex is the vertex whose two others are on one side.
-    const auto same = [&](int a, int b) { return hn::Not(hn::Xor(out[a], out[b])); };
-    const auto is_0 = same(1, 2), is_1 = hn::AndNot(is_0, same(0, 2));
-    const auto choose = [&](int of_0, int of_1, int of_2) {
-      return hn::Abs(hn::IfThenElse(is_0, d[of_0], hn::IfThenElse(is_1, d[of_1], d[of_2])));
-    };
-    const auto apex = choose(0, 1, 2), b = choose(1, 2, 0), c = choose(2, 0, 1);
+    const hn::Vec<D> d[3] = {this->at(0, i), this->at(1, i), this->at(2, i)};
+    const Sides<D> sides(d);
+    const auto apex = hn::Abs(sides.apex(d)), b = hn::Abs(sides.b(d)), c = hn::Abs(sides.c(d));
     const auto one = hn::Set(kD, T(1));
     hn::Store(apex, kD, apex_ + i);
     hn::Store(b, kD, b_ + i);
     hn::Store(c, kD, c_ + i);
     hn::Store(hn::Div(one, hn::Add(apex, b)), kD, over_b_ + i);
     hn::Store(hn::Div(one, hn::Add(apex, c)), kD, over_c_ + i);
-    const DU du;
-    const auto bit = [&](int v) {
-      return hn::IfThenElseZero(hn::RebindMask(du, out[v]), hn::Set(du, Word{1} << v));
-    };
     const auto on_plane = hn::Eq(hn::Min(apex, hn::Min(b, c)), hn::Zero(kD));
-    const auto outside = hn::Or(bit(0), hn::Or(bit(1), bit(2)));
-    hn::Store(hn::IfThenZeroElse(hn::RebindMask(du, on_plane), outside), du, outside_ + i);
+    const auto outside = words<D>(sides.outside);
+    hn::Store(hn::IfThenZeroElse(hn::RebindMask(DU(), on_plane), outside), DU(), outside_ + i);
   }
 
-  std::size_t count_ = 0;
-  // Terms of the distances; beyond the count whatever was there before.
-  HWY_ALIGN V of_w_[3][kMost] = {}, of_c_[3][kMost] = {};
-  HWY_ALIGN T apex_[kMost], b_[kMost], c_[kMost], over_b_[kMost], over_c_[kMost];
-  HWY_ALIGN Word outside_[kMost];
+  HWY_ALIGN T apex_[kMostSplits], b_[kMostSplits], c_[kMostSplits], over_b_[kMostSplits],
+      over_c_[kMostSplits];
+  HWY_ALIGN hn::TFromD<DU> outside_[kMostSplits];
+};
+
+// The cuts of some triangles' edges.
+template <class T, class V>
+class EdgeSplits : public PlaneDistances<T, V> {
+  using D = typename PlaneDistances<T, V>::D;
+  using DU = hn::RebindToUnsigned<D>;
+  static constexpr D kD{};
+
+ public:
+  // After the last.
+  HWY_INLINE void compute() {
+    for (std::size_t i = 0; i < this->count(); i += hn::Lanes(kD)) compute(i);
+  }
+
+  HWY_INLINE TwoCuts<T> operator[](std::size_t i) const {
+    return {static_cast<unsigned>(word_[i]), leave_[i], enter_[i]};
+  }
+
+ private:
+  // The edge that leaves the inside is apex-c if the apex is outside, else apex-b.
+  HWY_INLINE void compute(std::size_t i) {
+    const hn::Vec<D> d[3] = {this->at(0, i), this->at(1, i), this->at(2, i)};
+    const Sides<D> sides(d);
+    const auto apex = sides.apex(d), b = sides.b(d), c = sides.c(d);
+    const auto is_out = hn::Lt(apex, hn::Zero(kD));
+    const auto of_leave = hn::IfThenElse(is_out, c, b), of_enter = hn::IfThenElse(is_out, b, c);
+    // beyond < d_in, of numbers of which one is negative: their sum, whose sign is exact, is not.
+    const auto zero = hn::Zero(kD);
+    const hn::Mask<D> masks[] = {sides.outside[0], sides.outside[1], sides.outside[2],
+                                 hn::Lt(zero, hn::Add(apex, of_leave)),
+                                 hn::Lt(zero, hn::Add(apex, of_enter))};
+    const auto t = [&](hn::Vec<D> other) {
+      const auto x = hn::Abs(apex), y = hn::Abs(other);
+      return hn::Div(hn::Min(x, y), hn::Add(x, y));
+    };
+    hn::Store(t(of_leave), kD, leave_ + i);
+    hn::Store(t(of_enter), kD, enter_ + i);
+    const auto on_plane =
+        hn::Or(hn::Eq(d[0], zero), hn::Or(hn::Eq(d[1], zero), hn::Eq(d[2], zero)));
+    hn::Store(hn::IfThenZeroElse(hn::RebindMask(DU(), on_plane), words<D>(masks)), DU(), word_ + i);
+  }
+
+  HWY_ALIGN T leave_[kMostSplits], enter_[kMostSplits];
+  HWY_ALIGN hn::TFromD<DU> word_[kMostSplits];
 };
 
 }  // namespace clipscope::batch::HWY_NAMESPACE

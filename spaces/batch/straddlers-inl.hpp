@@ -73,7 +73,7 @@ struct Survivor {
   unsigned any() const { return all.any[i]; }
 };
 
-// Cuts from plane to plane, a triangle at a time.
+// Cuts from plane to plane, a triangle at a time; where one plane cuts, edges of several at once.
 template <class M, class S, class V>
 class ChainCuts {
  public:
@@ -81,14 +81,21 @@ class ChainCuts {
   using Limits = std::conditional_t<kIsView<M>, ViewLimits, ClipLimits>;
 
   ChainCuts(const S& shape, const Limits& limits, const Planes& planes, DepthRange)
-      : chain_{shape, limits, planes} {}
+      : chain_{shape, limits, planes}, by_bit_(planes) {}
 
-  void begin(const Cuts&) {}
+  void begin(const Cuts& cuts) { ones_.begin(cuts.one); }
 
   template <class At>
-  HWY_INLINE int cut_one(const Survivor<At>& s, const V* const vertex[3], const PlaneOf<M>& plane,
-                         V* out, Tally&) {
-    return !s.moderate ? kGiveUp : chain_.cut_one_plane(vertex, plane, out);
+  HWY_INLINE int cut_one(const Survivor<At>& s, const V* const vertex[3], const PlaneOf<M>&, V* out,
+                         Tally&) {
+    const std::size_t lane = ones_.next([&](std::span<const std::size_t> members) {
+      splits_.clear();
+      for (const std::size_t i : members) {
+        splits_.add(by_bit_[s.all.any[i]], [&](int v, int c) { return s.at(i, v)[c]; });
+      }
+      splits_.compute();
+    });
+    return s.moderate ? chain_.cut_one_plane(vertex, splits_[lane], out) : kGiveUp;
   }
   template <class At>
   HWY_NOINLINE int cut_several(const Survivor<At>& survivor, const V* const vertex[3], V* out,
@@ -97,7 +104,12 @@ class ChainCuts {
   }
 
  private:
-  const Chain<typename M::Number, S, Limits, PlaneOf<M>> chain_;
+  using Number = typename M::Number;
+
+  const Chain<Number, S, Limits, PlaneOf<M>> chain_;
+  const PlanesByBit<PlaneOf<M>> by_bit_;
+  EdgeSplits<Number, V> splits_;
+  LaneQueue<kMostSplits> ones_;
 };
 
 // The same, a triangle in each lane, as far as that goes.
@@ -117,10 +129,9 @@ class LaneCuts : public ChainCuts<M, S, float> {
   }
 
   template <class At>
-  HWY_INLINE int cut_one(const Survivor<At>& s, const float* const vertex[3],
-                         const CodePlane& plane, float* out, Tally& tally) {
-    const int count = cut(s, vertex, out);
-    return count == kGiveUp ? ChainCuts<M, S, float>::cut_one(s, vertex, plane, out, tally) : count;
+  HWY_INLINE int cut_one(const Survivor<At>& s, const float* const vertex[3], const CodePlane&,
+                         float* out, Tally& tally) {
+    return cut_several(s, vertex, out, tally);
   }
   template <class At>
   HWY_INLINE int cut_several(const Survivor<At>& s, const float* const vertex[3], float* out,
@@ -193,7 +204,7 @@ class OriginalCuts {
   const PlanesByBit<CodePlane> by_bit_;
   const DepthRange depth_;
   Splits<double, V> splits_;
-  LaneQueue<Splits<double, V>::kMost> ones_;
+  LaneQueue<kMostSplits> ones_;
   Lanes corners_;
   LaneQueue<Lanes::kLanes> others_;
 };

@@ -57,9 +57,9 @@ using AllClippers = TriangleClippers<ViewAndClip<Textbook>,                     
                                      ViewAndClip<BlinnNewell>,                                 //
                                      ViewAndClip<HomogeneousGuardBand>,                        //
                                      ViewAndClip<HomogeneousMcGuire>,                          //
+                                     ViewAndClip<HomogeneousFromInside>,                       //
                                      ViewAndClip<HomogeneousFromOutside>,                      //
                                      ViewAndClip<HomogeneousWeightedEnds>,                     //
-                                     ViewAndClip<HomogeneousNearerEnd>,                        //
                                      ViewAndClip<HomogeneousOppositePlanes>,                   //
                                      ViewAndClip<CvvNaive>,                                    //
                                      ViewAndClip<CvvPerspective>,                              //

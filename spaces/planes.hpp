@@ -42,6 +42,9 @@ using Outcode = std::uint32_t;
 
 constexpr Outcode bit(Plane plane) { return Outcode{1} << static_cast<int>(plane); }
 
+// Whether the code has one plane.
+constexpr bool is_single(Outcode code) { return code != 0 && (code & (code - 1)) == 0; }
+
 // The planes that clip in this volume.
 constexpr Outcode planes_of(const ClipVolume& volume) {
   const Outcode all = (Outcode{1} << (kPlanes + volume.clip_distances)) - 1;
@@ -250,6 +253,19 @@ constexpr void for_each_plane(Outcode code, const std::array<Plane, N>& order, F
     const auto plane = static_cast<Plane>(p);
     if ((code & bit(plane)) != 0) f(plane);
   }
+}
+
+// The place that `order` gives a plane is the bit that it has here; clip distances come last.
+template <std::size_t N>
+constexpr Outcode in_order(Outcode code, const std::array<Plane, N>& order) {
+  Outcode r = code >> kPlanes << N;
+  for (std::size_t i = 0; i < N; ++i) r |= (code >> static_cast<int>(order[i]) & 1) << i;
+  return r;
+}
+template <std::size_t N>
+constexpr Plane plane_at(const std::array<Plane, N>& order, int place) {
+  const auto i = static_cast<std::size_t>(place);
+  return i < N ? order[i] : static_cast<Plane>(kPlanes + i - N);
 }
 
 // Whether all vertices of a primitive are on or outside of one open side: then the volume owns

@@ -112,11 +112,10 @@ using ViewTriangle = Triangle<Space::view, T, K>;
 template <Scalar T, int K>
 using ClipTriangle = Triangle<Space::clip, T, K>;
 
-// The point a + t (b - a) of the edge a-b, attributes included; t = 0 gives a exactly.
+// Makes r the point a + t (b - a) of the edge a-b, attributes included; t = 0 gives a exactly.
 template <Space S, Scalar T, int K>
-constexpr Vertex<S, T, K> interpolate(const Vertex<S, T, K>& a, const Vertex<S, T, K>& b,
-                                      const T& t) {
-  Vertex<S, T, K> r;
+constexpr void interpolate_into(Vertex<S, T, K>& r, const Vertex<S, T, K>& a,
+                                const Vertex<S, T, K>& b, const T& t) {
   for (int i = 0; i < Vertex<S, T, K>::kDimension; ++i) {
     r.position[i] = a.position[i] + t * (b.position[i] - a.position[i]);
   }
@@ -124,6 +123,13 @@ constexpr Vertex<S, T, K> interpolate(const Vertex<S, T, K>& a, const Vertex<S, 
   for (int k = 0; k < a.attributes.size(); ++k) {
     r.attributes[k] = a.attributes[k] + t * (b.attributes[k] - a.attributes[k]);
   }
+}
+
+template <Space S, Scalar T, int K>
+constexpr Vertex<S, T, K> interpolate(const Vertex<S, T, K>& a, const Vertex<S, T, K>& b,
+                                      const T& t) {
+  Vertex<S, T, K> r;
+  interpolate_into(r, a, b, t);
   return r;
 }
 

@@ -27,7 +27,7 @@ std::vector<Offer> joined(const std::vector<frontier::Row>& rows) {
   for (const R& game : rows_where(rows, &R::set, kGameLike)) {
     const R* hard = find_row(rows, &R::set, kHard, &R::contract, game.contract, &R::clipper,
                              game.clipper, &R::scalar, game.scalar);
-    if (!game.timing || !game.max_px || hard == nullptr || !hard->max_px) continue;
+    if (!game.is_main() || !game.timing || !game.max_px || !hard || !hard->max_px) continue;
     offers.push_back({game.contract,
                       game.clipper,
                       game.scalar,

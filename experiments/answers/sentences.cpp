@@ -78,38 +78,56 @@ bool makes_no_mistake(const Offer& offer) {
   return offer.quality.hard_wrong == 0 && offer.quality.hard_misrounded == 0;
 }
 
-// The fastest that gets triangles wrong, or else that misses nearest floats, and how often.
+// The fastest that gets triangles wrong, or else that misses nearest floats.
 // Pre-condition: the fastest of all does.
 std::string who_errs(const std::vector<Offer>& offers) {
   const auto found =
       std::ranges::find_if(offers, [](const Offer& o) { return o.quality.hard_wrong > 0; });
   const Offer& offer = found == offers.end() ? offers.front() : *found;
-  const Quality& q = offer.quality;
   return fmt::format(
       "{} {}", spoken_contestant(offer.clipper, offer.scalar),
-      q.hard_wrong > 0 ? wrong_text(q.hard_wrong, "hard") : misrounded_text(q.hard_misrounded));
+      offer.quality.hard_wrong > 0 ? "gets hard triangles wrong" : "misses nearest floats");
 }
 
-// What certainty costs a stage: the fastest that makes no mistake against the fastest.
-std::string price(const Results& results) {
-  const std::vector<Offer> offers = Contest(results).offers(Contract::copy);
-  const auto found = std::ranges::find_if(offers, makes_no_mistake);
-  if (offers.empty()) throw MissingFigure("no clipper was timed as a renderer's stage");
-  if (found == offers.end()) return "More than was tried: every clipper makes mistakes.";
-  const std::string name = spoken_contestant(found->clipper, found->scalar);
-  if (found == offers.begin()) {
-    return fmt::format("Nothing: {} is the fastest as a renderer's stage, and makes no mistake.",
-                       name);
+// What certainty costs where it costs the most, over all mixes, layouts and places that the input
+// comes from; empty where the run does not say.
+std::string worst_price(const Results& results) {
+  try {
+    const cost::CertaintyRow& most = cost::dearest(results.rows<cost::CertaintyRow>());
+    if (!most.is_dear()) return " Correct rounding is as fast as the fastest on every mix.";
+    return fmt::format(" At its worst, {}, correct rounding takes {:.0f} % more time.",
+                       cost::where_text(most), 100 * (most.price.median - 1));
+  } catch (const MissingFigure&) {
+    return "";
   }
-  const MedianInterval &certain = found->ns, &fastest = offers.front().ns;
-  if (!is_below(fastest, certain)) {
+}
+
+// What certainty costs a stage on the game-like mix: the fastest that makes no mistake against the
+// fastest.
+std::string usual_price(const std::vector<Offer>& offers, const Offer& certain) {
+  const std::string name = spoken_contestant(certain.clipper, certain.scalar);
+  const Offer& fastest = offers.front();
+  if (&certain == &fastest) {
     return fmt::format(
-        "Nothing that this run can measure: as a renderer's stage {}, which makes no mistake, is as fast as the fastest; {}.",
+        "Nothing on the game-like mix: {} is the fastest as a renderer's stage, and makes no mistake.",
+        name);
+  }
+  if (!is_below(fastest.ns, certain.ns)) {
+    return fmt::format(
+        "Nothing that this run can measure on the game-like mix: as a renderer's stage {}, which makes no mistake, is as fast as the fastest; {}.",
         name, who_errs(offers));
   }
   return fmt::format(
       "On the game-like mix a renderer's stage takes {:.0f} % more time with {}, which makes no mistake, than with the fastest; {}.",
-      100 * (certain.median / fastest.median - 1), name, who_errs(offers));
+      100 * (certain.ns.median / fastest.ns.median - 1), name, who_errs(offers));
+}
+
+std::string price(const Results& results) {
+  const std::vector<Offer> offers = Contest(results).offers(Contract::copy);
+  if (offers.empty()) throw MissingFigure("no clipper was timed as a renderer's stage");
+  const auto found = std::ranges::find_if(offers, makes_no_mistake);
+  if (found == offers.end()) return "More than was tried: every clipper makes mistakes.";
+  return usual_price(offers, *found) + worst_price(results);
 }
 
 std::string behind_the_eye(const Results& results) {
@@ -181,7 +199,7 @@ struct Question {
 constexpr Question kQuestions[] = {
     {"space", "Where should a triangle be clipped?", "cost", "cost", where_fastest},
     {"accuracy", "Which space is the most accurate?", "frontier", "frontier", most_accurate},
-    {"price", "What does accuracy cost in time?", "frontier", "answers_prices", price},
+    {"price", "What does accuracy cost in time?", "cost", "cost_certainty", price},
     {"w", "What about points behind the eye?", "w_sign", "hard_cases_verdicts", behind_the_eye},
     {"stability", "Who stays right on hard cases?", "hard_cases", "answers_stability",
      who_stays_right},

@@ -50,7 +50,7 @@ void run(const ExperimentContext& context) {
   table.add_note(
       fmt::format("Seed {}; about {} triangles of each view judged exactly, if it has so many.",
                   selection.seed, options.judged_triangles));
-  table.add_note(machine_description());
+  table.add_note(timing_description());
   context.emit(table);
   const std::vector<Row> rows = table.rows();
   if (!rows.empty()) context.emit(settled_plot(rows), speedup_plot(rows));

@@ -20,6 +20,13 @@ double most_of(const std::vector<Evidence>& evidence, bool failing) {
   return most;
 }
 
+// A figure in ns, or one that compares such figures.
+bool has_times(const Table& table) {
+  return std::ranges::any_of(table.columns(), [](const Column& column) {
+    return column.key.starts_with("ns") || column.key.starts_with("speedup");
+  });
+}
+
 }  // namespace
 
 Judgement judge(const Claim& claim, const Results& results) {
@@ -28,6 +35,22 @@ Judgement judge(const Claim& claim, const Results& results) {
   } catch (const MissingFigure& missing) {
     return {Verdict::undecided, capitalised(fmt::format("{}.", missing.what()))};
   }
+}
+
+Judgement judge(const Claim& claim, const Results::Source& tables, const RunsBehind& runs) {
+  Interruptions behind;
+  const Results results([&](const std::string& name) {
+    std::optional<Table> table = tables(name);
+    if (table && has_times(*table)) behind = behind + runs(name);
+    return table;
+  });
+  Judgement judgement = judge(claim, results);
+  if (judgement.verdict == Verdict::undecided || !behind.is_busy()) return judgement;
+  judgement.verdict = Verdict::unsettled;
+  judgement.because = fmt::format(
+      "The machine was busy when this was timed: {:.0f} % of the runs were interrupted.",
+      behind.percent());
+  return judgement;
 }
 
 Judgement judged(std::vector<Evidence> evidence, bool under_condition, const Sentences& sentences) {

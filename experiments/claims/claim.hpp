@@ -15,6 +15,7 @@
 #include "experiments/claims/evidence.hpp"
 #include "experiments/claims/rows.hpp"
 #include "experiments/claims/words.hpp"
+#include "experiments/machine/measuring.hpp"
 #include "experiments/table/results.hpp"
 
 namespace clipscope::experiments::claims {
@@ -41,6 +42,13 @@ std::vector<Claim> all_claims();
 
 // Undecided, naming what is missing, where a figure is not among the results.
 Judgement judge(const Claim& claim, const Results& results);
+
+// Runs under the clock behind a table of that name.
+using RunsBehind = std::function<Interruptions(const std::string&)>;
+
+// The same, and not settled where a table that it asks for has times, and the machine was busy when
+// these were taken. The figures are kept.
+Judgement judge(const Claim& claim, const Results::Source& tables, const RunsBehind& runs);
 
 // Each claim with its judge, a source for each list.
 std::vector<Claim> claims_about_cost();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "experiments/claims/ranking.hpp"
 #include "experiments/claims/rows.hpp"
@@ -51,7 +52,7 @@ TableOf<PictureRow> draw_without_cutting(const ExperimentContext& context) {
       pictures.add(time_clipless(scene, view, {}, selection.quick ? 7 : 25));
     });
   }
-  pictures.add_note(machine_description());
+  pictures.add_note(timing_description());
   return pictures;
 }
 
@@ -59,13 +60,18 @@ void run(const ExperimentContext& context) {
   context.emit(count_all(context));
   context.emit(draw_without_cutting(context));
   // What every experiment of this run has left, those two tables included.
-  const Results results([&](const std::string& name) { return context.emitted(name); });
+  std::map<std::string, std::optional<Table>> known;
+  const Results::Source tables = [&](const std::string& name) {
+    if (!known.contains(name)) known[name] = context.emitted(name);
+    return known.at(name);
+  };
+  const RunsBehind runs = [&](const std::string& name) { return context.interruptions(name); };
 
   TableOf<Row> table;
   TableOf<Evidence> decisive;
   // This belongs to no piece: a resumed run may know more.
   for (const Claim& claim : all_claims()) {
-    const Judgement judgement = judge(claim, results);
+    const Judgement judgement = judge(claim, tables, runs);
     table.add({claim.number, std::string(claim.statement), judgement.verdict, judgement.because,
                std::string(claim.experiment)});
     for (Evidence evidence : judgement.evidence) {
@@ -73,8 +79,11 @@ void run(const ExperimentContext& context) {
       decisive.add(evidence);
     }
   }
-  context.emit(table);
-  context.emit(decisive);
+  const std::string machine =
+      fmt::format("Times were measured on {} ({}).", machine_name(), measuring_conditions());
+  table.add_note(machine);
+  decisive.add_note(machine);
+  context.emit(table, decisive);
   context.finding(finding_text(table.rows()));
 }
 

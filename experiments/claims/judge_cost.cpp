@@ -243,7 +243,8 @@ Evidence price_of_rounding(const std::vector<frontier::Row>& rows) {
   }
   const std::string input = rows[0].contract == Contract::full
                                 ? "from view space"
-                                : fmt::format("in a stage by {}", name_of(rows[0].contract));
+                                : fmt::format("in a stage by {} from {}", name_of(rows[0].contract),
+                                              name_of(rows[0].from));
   return decided(fmt::format("{} {}", rows[0].set, input),
                  fmt::format("time of {} over the usual", right), right_ns / usual_ns, "times",
                  above(kExpensive));
@@ -255,8 +256,9 @@ Judgement correct_rounding(const Results& results) {
   Cases cases;
   for (const std::string& set : distinct(all, &R::set)) {
     const std::vector<R> rows = rows_where(all, &R::set, set);
-    for (const Contract contract : distinct(rows, &R::contract)) {
-      cases.add(price_of_rounding(rows_where(rows, &R::contract, contract)));
+    const auto place = [](const R& row) { return std::pair(row.contract, row.from); };
+    for (const auto& [contract, from] : distinct(rows, place)) {
+      cases.add(price_of_rounding(rows_where(rows, &R::contract, contract, &R::from, from)));
     }
   }
   return cases.judge(

@@ -137,9 +137,10 @@ Judgement nearer_end_rounds_best(const Results& results) {
                       &R::clipper, clipper, &R::scalar, "float")
           .front();
     };
-    const double best = std::max(
-        {right(kClipSpace), right("homogeneous/from_outside"), right("homogeneous/weighted_ends")});
-    const double nearer = right("homogeneous/nearer_end");
+    const double best =
+        std::max({right("homogeneous/from_inside"), right("homogeneous/from_outside"),
+                  right("homogeneous/weighted_ends")});
+    const double nearer = right(kClipSpace);
     cases.add(decided(set, "coordinates rounded right, against the best of the other ends", nearer,
                       "%", at_least(best)));
     gain = std::max(gain, nearer - best);

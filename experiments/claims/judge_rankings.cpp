@@ -44,6 +44,7 @@ std::vector<TimedRow> timed_in_stage(const Results& results) {
   std::vector<TimedRow> rows;
   for (const cost::StageRow& row : results.rows<cost::StageRow>()) {
     if (row.scalar != "float" || row.contract != name_of(Contract::copy)) continue;
+    if (row.from != InputFrom::memory) continue;
     if (row.build == "plain" || row.clipper == "textbook") continue;
     rows.push_back({row.mix, row.clipper, row.timing});
   }

@@ -24,10 +24,11 @@ enum class Verdict : std::uint8_t {
   confirmed,    // in everything that was measured
   conditional,  // true only when ...
   refuted,      // in everything that was measured, or by a counterexample
+  unsettled,    // rests on times, and the machine was busy when these were taken
   undecided     // a figure that it needs is not among the results
 };
-constexpr std::array<std::string_view, 4> names_of(Verdict) {
-  return {"confirmed", "true only when", "refuted", "undecided"};
+constexpr std::array<std::string_view, 5> names_of(Verdict) {
+  return {"confirmed", "true only when", "refuted", "not settled", "undecided"};
 }
 
 struct Row {

@@ -58,7 +58,11 @@ std::string finding_text(const std::vector<Row>& claims) {
     (is_ranking(row) ? rankings : others).add(row);
   }
   const int confirmed = all.of(Verdict::confirmed), judged = all.judged();
-  if (judged == 0) return "No claim could be judged, for want of figures.";
+  const bool busy = all.of(Verdict::unsettled) > 0;
+  if (judged == 0) {
+    return busy ? "No claim could be judged: the machine was busy."
+                : "No claim could be judged, for want of figures.";
+  }
   std::string text = fmt::format(
       "{} what is said about clipping holds as it stands: {} of {} claims are confirmed.",
       part_text(confirmed, judged), confirmed, judged);
@@ -71,6 +75,7 @@ std::string finding_text(const std::vector<Row>& claims) {
         " It depends on the kind of claim: published rankings of speed are refuted {} the rest, and their winners most often win {}.",
         comparison_text(rankings, others), winners_text(rankings));
   }
+  if (busy) text += " Some claims are not settled, since the machine was busy.";
   if (all.of(Verdict::undecided) > 0) text += " Some claims are undecided for want of figures.";
   return text;
 }

@@ -7,7 +7,8 @@
 #include <iterator>
 #include <map>
 
-#include "experiments/machine/machine.hpp"
+#include "experiments/machine/measuring.hpp"
+#include "experiments/scenes/random.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 struct Run {
   double ns = 0;
   std::size_t items = 0;
+  bool interrupted = false;
 
   double ns_per_item() const { return ns / static_cast<double>(items); }
 };
@@ -22,9 +24,15 @@ struct Run {
 Run run(const Task& task, double share) {
   using Clock = std::chrono::steady_clock;
   if (task.prepare) task.prepare();
+  const auto interruptions = [&] {
+    return task.interruptions ? task.interruptions() : involuntary_switches();
+  };
+  const std::int64_t before = interruptions();
   const Clock::time_point start = Clock::now();
   const std::size_t items = task.work(share);
-  return {std::chrono::duration<double, std::nano>(Clock::now() - start).count(), items};
+  const Clock::time_point end = Clock::now();
+  return {std::chrono::duration<double, std::nano>(end - start).count(), items,
+          interruptions() != before};
 }
 
 // The share that takes about so long. Leaves the task warm.
@@ -60,6 +68,37 @@ std::vector<std::size_t> out_of_race(std::span<const Task> tasks, std::span<cons
   return out;
 }
 
+// Each of `turns` has its run, in that order, and those that lost the processor another one after
+// them.
+void run_round(std::span<const Task> tasks, const std::vector<double>& shares,
+               std::vector<std::size_t> turns, std::vector<Timing>& timings) {
+  std::vector<std::int64_t> repeats(tasks.size());
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const std::size_t turn = turns[i];
+    Timing& timing = timings[turn];
+    const Run done = run(tasks[turn], shares[turn]);
+    if (done.interrupted && repeats[turn]++ < kMostRepeats) {
+      ++timing.redone;
+      turns.push_back(turn);
+    } else {
+      timing.disturbed += done.interrupted;
+      timing.samples_ns.push_back(done.ns_per_item());
+    }
+  }
+}
+
+void add_figures(const ClockOptions& options, std::vector<Timing>& timings) {
+  for (Timing& timing : timings) {
+    if (!timing.is_timed()) continue;
+    timing.rounds = static_cast<std::int64_t>(timing.samples_ns.size());
+    timing.ns = median_interval(timing.samples_ns);
+    count_runs({timing.rounds + timing.redone, timing.redone, timing.disturbed});
+    if (!options.baseline || !timings[*options.baseline].is_timed()) continue;
+    timing.speedup =
+        median_interval(ratios(timings[*options.baseline].samples_ns, timing.samples_ns));
+  }
+}
+
 }  // namespace
 
 std::vector<Timing> time_in_turn(std::span<const Task> tasks, const ClockOptions& options) {
@@ -72,25 +111,18 @@ std::vector<Timing> time_in_turn(std::span<const Task> tasks, const ClockOptions
     shares[i] = fitting_share(tasks[i], options.milliseconds_per_run * 1e6);
     racing.push_back(i);
   }
-  const PinnedThread pinned;
+  const MeasuringThread measuring;
+  Random random(options.seed);
   for (std::size_t round = 0; round < static_cast<std::size_t>(options.rounds); ++round) {
     if (round == kLeastRounds) {
       const std::vector<std::size_t> out = out_of_race(tasks, timings, racing, options);
       std::erase_if(racing, [&](std::size_t i) { return std::ranges::binary_search(out, i); });
     }
-    for (std::size_t i = 0; i < racing.size(); ++i) {
-      const std::size_t turn = racing[(i + round) % racing.size()];
-      timings[turn].samples_ns.push_back(run(tasks[turn], shares[turn]).ns_per_item());
-    }
+    std::vector<std::size_t> turns = racing;
+    random.shuffle(std::span(turns));
+    run_round(tasks, shares, std::move(turns), timings);
   }
-  for (Timing& timing : timings) {
-    if (!timing.is_timed()) continue;
-    timing.rounds = static_cast<std::int64_t>(timing.samples_ns.size());
-    timing.ns = median_interval(timing.samples_ns);
-    if (!options.baseline || !timings[*options.baseline].is_timed()) continue;
-    timing.speedup =
-        median_interval(ratios(timings[*options.baseline].samples_ns, timing.samples_ns));
-  }
+  add_figures(options, timings);
   return timings;
 }
 

@@ -10,6 +10,7 @@
 #include "experiments/commands/options.hpp"
 #include "experiments/contestants/columns.hpp"
 #include "experiments/machine/machine.hpp"
+#include "experiments/machine/measuring.hpp"
 #include "experiments/scenes/mesh_edges.hpp"
 #include "experiments/survey/accuracy.hpp"
 #include "experiments/survey/contest_clock.hpp"
@@ -72,6 +73,7 @@ std::string leave_out_frustum_clippers(const Selection& selection, Contestants& 
 // All scenes go into one tally and one timing per contestant.
 int compare_contestants(const CompareOptions& options) {
   const Selection& selection = options.selection;
+  if (selection.realtime) measure_in_real_time();
   Contestants contestants = selected_contestants(selection);
   const std::string left_out = leave_out_frustum_clippers(selection, contestants);
   std::vector<AccuracyTally> tallies(contestants.size());
@@ -112,7 +114,9 @@ int compare_contestants(const CompareOptions& options) {
         "Scalars beyond float are given, and judged by, positions in double, as the file has them.");
   }
   if (!left_out.empty()) table.add_note(left_out);
-  table.add_note(machine_description());
+  table.add_note(timing_description());
+  const std::string busy = busy_text(interruptions_so_far());
+  if (!busy.empty()) table.add_note(busy);
   print_table(table, selection.json, options.out);
   return kExitOk;
 }
@@ -125,6 +129,7 @@ void add_compare_command(CLI::App& app, Action& action) {
                   "One table: outcomes, errors and time of every clipper and scalar");
   add_scene_options(command, options.selection);
   add_contestant_options(command, options.selection);
+  add_realtime_option(command, options.selection);
   add_out_option(command, options.out);
   add_json_option(command, options.selection);
 }

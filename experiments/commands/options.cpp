@@ -204,6 +204,12 @@ void add_json_option(CLI::App& command, Selection& selection) {
   command.add_flag("--json", selection.json, "Print JSON (run: one table per line)");
 }
 
+void add_realtime_option(CLI::App& command, Selection& selection) {
+  command.add_flag(
+      "--realtime", selection.realtime,
+      "Time in the real-time class (SCHED_FIFO), so that no program takes the processor; the others on it stand still meanwhile");
+}
+
 void add_single_file_option(CLI::App& command, PageForm& form) {
   command.add_flag_callback(
       "--single-file", [&form] { form = PageForm::single_file; },

@@ -108,6 +108,8 @@ void add_contestant_options(CLI::App& command, Selection& selection);
 void add_contestant_options(CLI::App& command, std::string& clipper, std::string& scalar);
 
 void add_json_option(CLI::App& command, Selection& selection);
+// --realtime, of commands that time; see measure_in_real_time.
+void add_realtime_option(CLI::App& command, Selection& selection);
 
 // --single-file: what the page of results needs beside it.
 void add_single_file_option(CLI::App& command, PageForm& form);

@@ -130,6 +130,16 @@ void tell_answers(const Pass& pass) {
   std::fflush(stdout);
 }
 
+// What the times of the run are worth, where that is little.
+void tell_if_busy(const Pass& pass) {
+  const Interruptions runs = pass.recorder->store().interruptions();
+  if (!runs.is_busy()) return;
+  fmt::print(
+      stderr,
+      "The machine was busy: {}. Times and ratios may move, and claims that rest on them are not settled; run it again on a quiet machine{}.\n",
+      runs.text(), pass.selection.realtime ? "" : ", or with --realtime");
+}
+
 // Until the full pass writes it, the page of the run is the one of the first pass.
 void lead_to_first_pass(const fs::path& out) {
   write_file(out / kReportFile, fmt::format(R"(<!DOCTYPE html>
@@ -183,6 +193,7 @@ void run_passes(const RunPlan& plan) {
   remove_first_pass(plan.out);
   fmt::print(stderr, "all done in {:.0f} s\n", seconds);
   tell_answers(pass);
+  tell_if_busy(pass);
 }
 
 }  // namespace clipscope::experiments::commands

@@ -13,6 +13,7 @@
 #include "experiments/commands/options.hpp"
 #include "experiments/commands/passes.hpp"
 #include "experiments/machine/files.hpp"
+#include "experiments/machine/measuring.hpp"
 #include "experiments/report/experiment.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/store/run_folder.hpp"
@@ -82,6 +83,7 @@ std::vector<PlannedExperiment> check(const RunOptions& options) {
 int run_experiments(RunOptions options) {
   drop_repeated(options.selection.scenes);
   drop_repeated(options.names);
+  if (options.selection.realtime) measure_in_real_time();
   const std::vector<PlannedExperiment> chosen = check(options);
   // A limit on the size of files is reported as an error of writing instead of ending the program.
   std::signal(SIGXFSZ, SIG_IGN);
@@ -121,6 +123,7 @@ with --resume. See `clipscope table` and `clipscope diff`.)");
                      "Names of experiments (see `clipscope list experiments`) [all]");
   add_scene_options(command, options.selection);
   add_contestant_options(command, options.selection);
+  add_realtime_option(command, options.selection);
   command.add_flag("--pictures", options.selection.pictures,
                    "hard_cases: also a picture (SVG) of every case that a clipper fails on");
   add_option(command, "--out", options.out, "DIR", "Folder for the results [results]");

@@ -33,9 +33,9 @@ constexpr std::array kClippers = {
     Spoken{"homogeneous/guard_band", "the guard band"},
     Spoken{"homogeneous/mcguire", "McGuire's clipper"},
     Spoken{"homogeneous/mcguire_batch", "McGuire's batch clipper"},
+    Spoken{"homogeneous/from_inside", "clip space from the inner end"},
     Spoken{"homogeneous/from_outside", "clip space from the outer end"},
     Spoken{"homogeneous/weighted_ends", "clip space with weighted ends"},
-    Spoken{"homogeneous/nearer_end", "clip space from the nearer end"},
     Spoken{"homogeneous/opposite_planes", "clip space by pairs of planes"},
     Spoken{"homogeneous/polygon", "the polygon clipper in clip space"},
     Spoken{"homogeneous/batch", "the clip-space batch clipper"},
@@ -94,6 +94,7 @@ constexpr std::array kSets = {Spoken{"teapot", "the teapot"},
                               Spoken{"soup_outside", "triangles outside the volume"},
                               Spoken{"soup_straddling", "straddling triangles"},
                               Spoken{"soup_behind", "triangles that reach behind the eye"},
+                              Spoken{"soup_several_planes", "triangles across several planes"},
                               Spoken{"teapot field", "the field of teapots"},
                               Spoken{"telephoto", "the telephoto view"},
                               Spoken{"overlay", "the overlay"},
@@ -101,7 +102,8 @@ constexpr std::array kSets = {Spoken{"teapot", "the teapot"},
                               Spoken{"game_like", "the game-like mix"},
                               Spoken{"inside", "triangles inside the volume"},
                               Spoken{"outside", "triangles outside the volume"},
-                              Spoken{"straddling", "straddling triangles"}};
+                              Spoken{"straddling", "straddling triangles"},
+                              Spoken{"several_planes", "triangles across several planes"}};
 
 std::string in_words(std::string_view name) {
   std::string words(name);

@@ -2,6 +2,11 @@
 #include "experiments/contestants/stage_input.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <map>
+#include <numeric>
 #include <random>
 #include <span>
 #include <utility>
@@ -65,14 +70,25 @@ batch::TriangleStreams StageInput::streams(std::size_t first, std::size_t count)
   return result;
 }
 
+std::span<const float> StageInput::draw_vertices(std::size_t triangle) const {
+  const std::span<const float> all(mesh_vertices);
+  if (draw_triangles == 0) return all;
+  const std::size_t draw = triangle / draw_triangles, begin = draw_begins[draw];
+  const std::size_t end =
+      draw + 1 < draw_begins.size() ? draw_begins[draw + 1] : all.size() / stride();
+  return all.subspan(begin * stride(), (end - begin) * stride());
+}
+
 batch::IndexedMesh StageInput::mesh(std::size_t first, std::size_t count) const {
-  return {{mesh_vertices.data(), mesh_vertices.size() / stride(), attributes},
+  assert(draw_triangles == 0 || first % draw_triangles + count <= draw_triangles);
+  const std::span<const float> of_draw = draw_vertices(first);
+  return {{of_draw.data(), of_draw.size() / stride(), attributes},
           std::span(indices).subspan(3 * first, 3 * count)};
 }
 
 const float* StageInput::vertex(Contract contract, std::size_t triangle, std::size_t v) const {
   if (contract == Contract::indexed) {
-    return mesh_vertices.data() + indices[3 * triangle + v] * stride();
+    return draw_vertices(triangle).data() + indices[3 * triangle + v] * stride();
   }
   return vertices.data() + (3 * triangle + v) * stride();
 }
@@ -146,23 +162,77 @@ StageInput mesh_input(const Scene& scene, const View& view) {
   return input;
 }
 
+StageInput in_draws(const StageInput& mesh, std::size_t triangles) {
+  assert(mesh.draw_triangles == 0 && mesh.size(Contract::indexed) > 0 && triangles > 0);
+  StageInput draws = mesh;
+  draws.draw_triangles = triangles;
+  draws.mesh_vertices.clear();
+  std::map<std::uint32_t, std::uint32_t> numbers;  // in the draw, by those in the mesh
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    if (i % (3 * triangles) == 0) {
+      draws.draw_begins.push_back(draws.mesh_vertices.size() / mesh.stride());
+      numbers.clear();
+    }
+    const auto next = static_cast<std::uint32_t>(numbers.size());
+    const auto [number, is_new] = numbers.try_emplace(mesh.indices[i], next);
+    draws.indices[i] = number->second;
+    if (!is_new) continue;
+    const auto vertex =
+        std::span(mesh.mesh_vertices).subspan(mesh.indices[i] * mesh.stride(), mesh.stride());
+    draws.mesh_vertices.insert(draws.mesh_vertices.end(), vertex.begin(), vertex.end());
+  }
+  return draws;
+}
+
+StageInput shuffled_copies(const StageInput& soup, std::size_t triangles, std::uint64_t seed) {
+  assert(soup.size(Contract::copy) > 0);
+  const std::size_t floats = 3 * soup.stride();
+  std::vector<std::size_t> order(soup.array_size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<float> vertices;
+  vertices.reserve((triangles + order.size()) * floats);
+  Random random(seed);
+  while (vertices.size() < triangles * floats) {
+    random.shuffle(std::span(order));
+    for (const std::size_t t : order) {
+      const auto triangle = std::span(soup.vertices).subspan(t * floats, floats);
+      vertices.insert(vertices.end(), triangle.begin(), triangle.end());
+    }
+  }
+  return soup_input(soup.name, soup.volume, soup.attributes, std::move(vertices));
+}
+
 StageShares shares_of(const StageInput& input, Contract contract) {
-  std::size_t inside = 0, outside = 0;
+  std::size_t inside = 0, outside = 0, behind = 0;
+  std::array<std::size_t, 3> by_planes{};  // 1, 2, more
   const std::size_t triangles = input.size(contract);
   for (std::size_t t = 0; t < triangles; ++t) {
     Outcode all = ~Outcode{0}, any = 0;
+    bool is_behind = false;
     for (std::size_t v = 0; v < 3; ++v) {
       const float* p = input.vertex(contract, t, v);
       const Outcode code = clip_outcode(input.volume.depth, Vec4<float>(p[0], p[1], p[2], p[3]));
       all &= code;
       any |= code;
+      is_behind |= p[3] < 0;
     }
     inside += any == 0;
     outside += all != 0;
+    if (any == 0 || all != 0) continue;
+    ++by_planes[static_cast<std::size_t>(std::min(std::popcount(any), 3)) - 1];
+    behind += is_behind;
   }
-  const double percent = 100.0 / static_cast<double>(std::max<std::size_t>(1, triangles));
-  return {static_cast<double>(inside) * percent, static_cast<double>(outside) * percent,
-          static_cast<double>(triangles - inside - outside) * percent};
+  const auto percent = [](std::size_t part, std::size_t whole) {
+    return 100 * static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, whole));
+  };
+  const std::size_t cut = triangles - inside - outside;
+  return {.inside = percent(inside, triangles),
+          .outside = percent(outside, triangles),
+          .straddling = percent(cut, triangles),
+          .one_plane = percent(by_planes[0], cut),
+          .two_planes = percent(by_planes[1], cut),
+          .more_planes = percent(by_planes[2], cut),
+          .behind_eye = percent(behind, cut)};
 }
 
 }  // namespace clipscope::experiments

@@ -58,8 +58,9 @@ std::string run_full(const ExperimentContext& context) {
   TableOf<OperationsRow> operations;
   TableOf<SplitRow> split;
   // The soups are the mixes; any scene that the user names is one, too.
-  const std::vector<std::string> names = selection.scenes_or(
-      {"soup", "soup_inside", "soup_outside", "soup_straddling", "soup_behind"});
+  const std::vector<std::string> names =
+      selection.scenes_or({"soup", "soup_inside", "soup_outside", "soup_straddling", "soup_behind",
+                           "soup_several_planes"});
   Progress progress("cost", names.size());
   for (const std::string& name : names) {
     context.piece("mix " + name, {&times, &operations, &split}, [&](PieceRecord& record) {
@@ -72,9 +73,9 @@ std::string run_full(const ExperimentContext& context) {
     });
     progress.advance();
   }
-  times.add_note(machine_description());
+  times.add_note(timing_description());
   operations.add_note(machine_description());
-  split.add_note(machine_description());
+  split.add_note(timing_description());
   TableOf<SpaceRow> spaces;
   for (const SpaceRow& row : space_rows(times.rows(), operations.rows())) spaces.add(row);
   context.emit(times, operations, spaces, split, time_plot(times.rows()));
@@ -102,7 +103,7 @@ void run_growth(const ExperimentContext& context) {
       measure_growth(growing, growth_options(context.selection()), growth, record);
     });
   }
-  growth.add_note(machine_description());
+  growth.add_note(timing_description());
   context.emit(growth);
   for (const Growing growing : kGrowing) {
     const Plot plot = growth_plot(growth.rows(), growing);

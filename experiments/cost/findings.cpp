@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is said of cost: which space is the fastest, and what correct rounding costs in the stage.
+// What is said of cost from view space on: which space is the fastest.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 
 #include "experiments/contestants/spoken.hpp"
 #include "experiments/cost/rows.hpp"
@@ -21,7 +20,6 @@ constexpr std::array<std::string_view, 3> kSpaces = {"view/sutherland_hodgman", 
                                                      "cvv/near_first"};
 constexpr std::array<std::string_view, 4> kCompared = {kSpaces[0], kSpaces[1], kSpaces[2],
                                                        "cvv/perspective"};
-constexpr double kNoticeable = 1.05;  // a ratio of times below is no price
 
 std::optional<double> ratio(const std::optional<double>& part, const std::optional<double>& whole) {
   if (!part || !whole || *whole == 0) return std::nullopt;
@@ -165,28 +163,6 @@ std::string space_finding(const std::vector<SpaceRow>& spaces) {
   if (rivals.empty()) return "None of the three spaces was timed.";
   return order_sentence(rivals) + mixes_sentence(spaces) +
          operations_sentence(rows_where(spaces, &SpaceRow::mix, mix));
-}
-
-std::string stage_finding(const std::vector<StageRow>& stage) {
-  using R = StageRow;
-  std::map<std::string, double> price;  // of correct rounding, by mix: the largest of its contracts
-  std::vector<std::string> mixes;
-  for (const R& row :
-       rows_where(stage, &R::clipper, "barycentric/correctly_rounded_batch", &R::is_shown, true)) {
-    if (!row.times_fastest) continue;
-    const bool costs = row.times_fastest->low > 1 && row.times_fastest->median > kNoticeable;
-    double& of_mix = price.try_emplace(row.mix, 1.0).first->second;
-    of_mix = std::max(of_mix, costs ? row.times_fastest->median : 1.0);
-    if (std::ranges::find(mixes, row.mix) == mixes.end()) mixes.push_back(row.mix);
-  }
-  if (price.empty()) return "";
-  std::vector<std::string> dear, free;
-  for (const std::string& mix : mixes) (price[mix] > 1 ? dear : free).push_back(spoken_set(mix));
-  const std::string subject = "In the stage of a renderer the correctly rounded batch clipper";
-  if (dear.empty()) return subject + " is as fast as the fastest on every mix.";
-  if (free.empty()) return subject + " is slower than the fastest on every mix.";
-  return fmt::format("{} is as fast as the fastest on {}, and slower on {}.", subject, listed(free),
-                     listed(dear));
 }
 
 }  // namespace clipscope::experiments::cost

@@ -121,7 +121,7 @@ void run_flags(const ExperimentContext& context) {
       measure_flags(name, views.front(), contest_clock(selection.quick).rounds, table, record);
     });
   }
-  table.add_note(machine_description());
+  table.add_note(timing_description());
   context.emit(table);
 }
 

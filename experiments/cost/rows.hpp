@@ -85,12 +85,27 @@ struct SplitRow {
   }
 };
 
-inline constexpr std::string_view kMemory = "memory";  // in place of a contestant's contract
+inline constexpr std::string_view kBytesAlone = "bytes alone";  // in place of a contract
+
+// Figures of the stage: ns first, then what of the memory limit that is in the same rounds.
+struct StageFigures : Timing {
+  std::optional<MedianInterval> limit_percent = {}, times_fastest = {};  // of a contestant
+
+  static constexpr auto columns() {
+    using F = StageFigures;
+    return std::tuple(interval("ns_per_triangle", "ns", "ns/tri", &Timing::ns),
+                      interval("limit_percent", "limit", "% of limit", &F::limit_percent),
+                      interval("times_fastest", "fastest", "time / fastest", &F::times_fastest),
+                      column("rounds", &Timing::rounds),
+                      interval("speedup_to_textbook", "speedup", "x textbook", &Timing::speedup));
+  }
+};
 
 struct StageRow {
-  std::string mix, clipper, scalar, build, contract;  // of a contestant, or of a pass over memory
-  std::optional<Timing> timing;
-  std::optional<MedianInterval> times_fastest = {}, limit_percent = {};  // of a contestant
+  std::string mix;
+  InputFrom from = InputFrom::memory;
+  std::string clipper, scalar, build, contract;  // of a contestant, or of a pass over its bytes
+  std::optional<StageFigures> timing;
   std::optional<double> bytes_in = {}, bytes_out = {}, gigabytes_per_second = {};
 
   // Plots and findings speak of the scalar clippers' only build, and of SIMD.
@@ -100,50 +115,98 @@ struct StageRow {
   static constexpr std::string_view kName = "cost_stage";
   static constexpr std::string_view kTitle =
       "The stage: clip-space triangles in, clip-space polygons out, no divide";
-  static constexpr std::array<std::string_view, 2> kNotes = {
-      "Contracts: copy, an array of vertices in, every surviving triangle written out; number, streams of positions in, inside triangles by number; indexed, a mesh in, each vertex classified once. Four attributes. x textbook, and time / that of the contract's fastest: medians of the ratios of the same round.",
-      "B in, B out: bytes that the contract reads and that the answer takes, per triangle. The memory limit is what passes over the same bytes (contract `memory`) take in the same round; % of limit: that time over the clipper's, 100 where it does nothing but move bytes. Answers go to a block that stays in cache. Not timed (-): see cost_stage_refused."};
+  static constexpr std::array<std::string_view, 3> kNotes = {
+      "Contracts: copy, an array of vertices in, every surviving triangle written out; number, streams of positions in, inside triangles by number; indexed, a mesh in, each vertex classified once. Four attributes. Time / that of the contract's fastest, and x textbook: medians of the ratios of the same round.",
+      "From memory the input streams through; from cache it comes in blocks that lie in the second-level one with their answers, each read before, though not clipped before (a mesh in draws of that size).",
+      "B in, B out: bytes that the contract reads and that the answer takes, per triangle. The limit is what passes over the same bytes from the same place (contract `bytes alone`) take in the same round; % of limit: that time over the clipper's, 100 where it does nothing but move bytes. Answers go to a block that stays in cache. Not timed (-): see cost_stage_refused."};
   static constexpr auto columns() {
     using R = StageRow;
-    return std::tuple(
-        column("mix", &R::mix), contestant_columns(&R::clipper, &R::scalar),
-        column("build", &R::build), column("contract", &R::contract), group(&R::timing),
-        interval("times_fastest", "fastest", "time / fastest", &R::times_fastest),
-        column("bytes_in", "B in", &R::bytes_in), column("bytes_out", "B out", &R::bytes_out),
-        column("gigabytes_per_second", "GB/s", &R::gigabytes_per_second),
-        interval("limit_percent", "limit", "% of limit", &R::limit_percent));
+    return std::tuple(column("mix", &R::mix), column("from", &R::from),
+                      contestant_columns(&R::clipper, &R::scalar), column("build", &R::build),
+                      column("contract", &R::contract), group(&R::timing),
+                      column("bytes_in", "B in", &R::bytes_in),
+                      column("bytes_out", "B out", &R::bytes_out),
+                      column("gigabytes_per_second", "GB/s", &R::gigabytes_per_second));
   }
 };
+
+// What certainty costs: the correctly rounded clipper beside the fastest that promises less, on the
+// same triangles in the same rounds.
+struct CertaintyRow {
+  std::string mix;
+  Contract contract = Contract::copy;
+  InputFrom from = InputFrom::memory;
+  std::string fastest;  // of the others
+  double fastest_ns = 0, certain_ns = 0;
+  MedianInterval price = {};                        // certain over fastest, round by round
+  double fastest_limit = 0, certain_limit = 0;      // percent
+  double fastest_speedup = 0, certain_speedup = 0;  // over textbook
+
+  // Whether the interval says so, and by so much that it is a price.
+  bool is_dear() const { return price.low > 1 && price.median > kNoticeable; }
+
+  static constexpr double kNoticeable = 1.05;
+  static constexpr std::string_view kName = "cost_certainty";
+  static constexpr std::string_view kTitle =
+      "What certainty costs: correctly rounded over the fastest that is not";
+  static constexpr std::array<std::string_view, 1> kNotes = {
+      "As in cost_stage. Certain: barycentric/correctly_rounded_batch, every coordinate the nearest float, proved. Certain / fastest: median and 95 % interval of the ratios of the same round. % of limit: what moving the same bytes takes over the time, in the same rounds."};
+  static constexpr auto columns() {
+    using R = CertaintyRow;
+    return std::tuple(column("mix", &R::mix), column("contract", &R::contract),
+                      column("from", &R::from), column("fastest", &R::fastest),
+                      column("fastest_ns", "ns/tri", &R::fastest_ns),
+                      column("certain_ns", "certain ns/tri", &R::certain_ns),
+                      interval("price", "price", "certain / fastest", &R::price),
+                      column("fastest_limit", "% of limit", &R::fastest_limit),
+                      column("certain_limit", "certain % of limit", &R::certain_limit),
+                      column("fastest_speedup", "x textbook", &R::fastest_speedup),
+                      column("certain_speedup", "certain x textbook", &R::certain_speedup));
+  }
+};
+
+constexpr auto share_columns() {
+  using S = StageShares;
+  return std::tuple(column("inside_percent", "inside %", &S::inside),
+                    column("outside_percent", "outside %", &S::outside),
+                    column("straddling_percent", "straddling %", &S::straddling),
+                    column("one_plane_percent", "1 plane %", &S::one_plane),
+                    column("two_planes_percent", "2 planes %", &S::two_planes),
+                    column("more_planes_percent", "3 and more %", &S::more_planes),
+                    column("behind_eye_percent", "behind the eye %", &S::behind_eye));
+}
 
 struct MixRow {
   std::string mix, contracts;
   std::int64_t triangles = 0;
-  double inside_percent = 0, outside_percent = 0, straddling_percent = 0, megabytes = 0;
+  StageShares shares = {};
+  double megabytes = 0;
 
   static constexpr std::string_view kName = "cost_stage_mixes";
   static constexpr std::string_view kTitle = "The inputs of the stage, by outcodes";
+  static constexpr std::array<std::string_view, 1> kNotes = {
+      "Of the straddling triangles: how many planes some vertex is outside of, and whether one is behind the eye, w < 0."};
   static constexpr auto columns() {
     using R = MixRow;
     return std::tuple(column("mix", &R::mix), column("contracts", &R::contracts),
-                      column("triangles", &R::triangles),
-                      column("inside_percent", "inside %", &R::inside_percent),
-                      column("outside_percent", "outside %", &R::outside_percent),
-                      column("straddling_percent", "straddling %", &R::straddling_percent),
+                      column("triangles", &R::triangles), group(&R::shares, share_columns()),
                       column("megabytes", "MB", &R::megabytes));
   }
 };
 
 struct RefusedRow {
-  std::string mix, clipper, build, contract, reason;
+  std::string mix;
+  InputFrom from = InputFrom::memory;
+  std::string clipper, build, contract, reason;
 
   static constexpr std::string_view kName = "cost_stage_refused";
   static constexpr std::string_view kTitle =
       "Not timed: the answers break the promise of the stage";
   static constexpr auto columns() {
     using R = RefusedRow;
-    return std::tuple(column("mix", &R::mix), column("clipper", &R::clipper),
-                      column("build", &R::build), column("contract", &R::contract),
-                      column("reason", "reason", &R::reason, 50));
+    return std::tuple(column("mix", &R::mix), column("from", &R::from),
+                      column("clipper", &R::clipper), column("build", &R::build),
+                      column("contract", &R::contract), column("reason", "reason", &R::reason, 50));
   }
 };
 
@@ -157,68 +220,29 @@ constexpr std::array<std::string_view, 4> names_of(Growing) {
 struct GrowthRow {
   Growing grows = Growing::triangles;
   std::int64_t n = 0;
+  InputFrom from = InputFrom::memory;
   std::string clipper, scalar;
   Contract contract = Contract::copy;
   std::optional<double> triangles = {};  // clipped in one run
   std::optional<MedianInterval> ns = {};
-  std::optional<double> speedup = {};  // where textbook is timed
+  std::optional<MedianInterval> speedup_by_threads = {};  // over one of them in the same rounds
+  std::optional<double> speedup = {};                     // where textbook is timed
 
   static constexpr std::string_view kName = "cost_growth";
   static constexpr std::string_view kTitle = "How the time of the stage grows";
   static constexpr std::array<std::string_view, 1> kNotes = {
-      "triangles: the first n of a game-like soup; beyond its size it streams through again and again. attributes: floats beside the position. planes: every triangle is cut by exactly n. threads: the soup in n parts, time by the clock on the wall. Column triangles: clipped in one run. Batch clippers in SIMD."};
+      "triangles: lists of n, each time others of a game-like soup, until it was gone through. attributes: floats beside the position. planes: every triangle is cut by exactly n. threads: the soup in n parts, time by the clock on the wall; x 1 thread: how many times as fast as one thread in the same rounds. From cache: the second-level one holds the list, which is read once before, though it was not clipped before (threads: the same list again and again). Column triangles: clipped in one run. Batch clippers in SIMD."};
   static constexpr auto columns() {
     using R = GrowthRow;
-    return std::tuple(column("grows", &R::grows), column("n", &R::n),
+    return std::tuple(column("grows", &R::grows), column("n", &R::n), column("from", &R::from),
                       contestant_columns(&R::clipper, &R::scalar), column("contract", &R::contract),
                       column("triangles", &R::triangles),
                       interval("ns_per_triangle", "ns", "ns/tri", &R::ns),
+                      interval("speedup_to_one_thread", "speedup_to_one_thread", "x 1 thread",
+                               &R::speedup_by_threads),
                       column("speedup_to_textbook", "x textbook", &R::speedup));
   }
 };
-
-inline StageRow stage_row(const std::string& mix, const MemoryTiming& pass) {
-  const double out = pass.pass == MemoryPass::copy_everything ? pass.bytes : 0;
-  return {.mix = mix,
-          .clipper = std::string(name_of(pass.pass)),
-          .scalar = "-",
-          .build = "-",
-          .contract = std::string(kMemory),
-          .timing = pass.timing,
-          .bytes_in = pass.bytes,
-          .bytes_out = out,
-          .gigabytes_per_second = (pass.bytes + out) / pass.timing.ns.median};
-}
-
-inline StageRow stage_row(const std::string& mix, const StageTiming& timing) {
-  const Contestant& c = *timing.contestant;
-  StageRow row{.mix = mix,
-               .clipper = std::string(c.clipper),
-               .scalar = std::string(c.scalar()),
-               .build = std::string(c.build),
-               .contract = std::string(name_of(c.contract)),
-               .timing = if_timed(timing.timing)};
-  if (row.timing) {
-    row.times_fastest = timing.times_fastest;
-    row.limit_percent = timing.limit_percent;
-    row.bytes_in = timing.bytes.positions + timing.bytes.rest;
-    row.bytes_out = timing.bytes.out;
-    row.gigabytes_per_second = timing.bytes.total() / row.timing->ns.median;
-  }
-  return row;
-}
-
-inline MixRow mix_row(const StageInput& input, Contract contract) {
-  const StageShares shares = shares_of(input, contract);
-  const std::size_t triangles = input.size(contract);
-  return {input.name,
-          input.indices.empty() ? "copy, number" : "indexed",
-          static_cast<std::int64_t>(triangles),
-          shares.inside,
-          shares.outside,
-          shares.straddling,
-          bytes_of(MemoryPass::read_everything, input) * static_cast<double>(triangles) / 1e6};
-}
 
 // Adds the parts, in the order of the clipper, and the whole of each clipper that has steps and
 // that was timed in float or double on the mix.
@@ -228,9 +252,22 @@ void measure_split(std::span<const SampledView> views, const std::vector<Row>& t
 // Emits the tables and plots of the stage; returns its finding.
 std::string run_stage(const ExperimentContext& context);
 StageClock stage_clock(bool quick);
-// A row for each pass over memory and each contestant, and one in `refused` for those that were.
-void add_rows(const std::string& mix, const StageMeasurement& measured, TableOf<StageRow>& stage,
-              TableOf<RefusedRow>& refused, PieceRecord& record);
+
+struct StageTables {
+  TableOf<MixRow> mixes;
+  TableOf<StageRow> stage;
+  TableOf<CertaintyRow> certainty;
+  TableOf<RefusedRow> refused;
+
+  // A row for each pass and each contestant, the price of certainty by contract, and a row for each
+  // that was refused.
+  void add(const std::string& mix, const StageMeasurement& measured, PieceRecord& record);
+};
+
+// The input in that layout.
+MixRow mix_row(const StageInput& input, Contract contract);
+// By contract, where both were timed.
+std::vector<CertaintyRow> certainty_rows(const std::string& mix, const StageMeasurement& measured);
 
 struct GrowthOptions {
   std::uint64_t seed = 1;
@@ -256,8 +293,8 @@ StageInput crossing_input(int planes, std::size_t different, std::size_t times, 
 Plot time_plot(const std::vector<Row>& times);
 // Parts by clipper for the first mix, in float if that is there. Pre-condition: rows.
 Plot split_plot(const std::vector<SplitRow>& split);
-// Times faster than textbook by mix, one bar per clipper of the best build in the contract.
-Plot stage_plot(const std::vector<StageRow>& stage, Contract contract);
+// Time by mix, one bar per clipper of the best build in the contract, and the limit of memory.
+Plot stage_plot(const std::vector<StageRow>& stage, Contract contract, InputFrom from);
 // ns per triangle over what grows.
 Plot growth_plot(const std::vector<GrowthRow>& growth, Growing growing);
 
@@ -267,7 +304,12 @@ std::vector<SpaceRow> space_rows(const std::vector<Row>& times,
 
 // Which space is the fastest, on the first mix and the others, and which needs the most operations.
 std::string space_finding(const std::vector<SpaceRow>& spaces);
-// Where correct rounding costs time in the stage, and where it does not; empty if it was not timed.
-std::string stage_finding(const std::vector<StageRow>& stage);
+// Where certainty costs time in the stage, where it does not, and the most that it costs; empty if
+// it was not timed.
+std::string certainty_finding(const std::vector<CertaintyRow>& certainty);
+// Where certainty costs the most. Pre-condition: a row.
+const CertaintyRow& dearest(const std::vector<CertaintyRow>& certainty);
+// The end of a sentence: "on straddling triangles by number, from cache".
+std::string where_text(const CertaintyRow& row);
 
 }  // namespace clipscope::experiments::cost

@@ -3,10 +3,12 @@
 // The stage's part of cost: mixes x clippers x contracts, and how the time grows with the number of
 // triangles, of attributes, of planes that a triangle crosses, and with threads.
 //
-//   triangles   the first n of a game-like soup; beyond its size it streams through again and again
+//   triangles   lists of n of a game-like soup, each time others, until it was gone through; from
+//               memory, and small ones from cache, too
 //   attributes  game-like soups with so many floats beside the position
 //   planes      every triangle is cut by exactly n planes
-//   threads     a game-like soup in n parts, one per thread; wall time of all threads
+//   threads     a game-like soup in n parts, one per thread, from memory and from cache; wall time
+//               of all threads, in the same rounds
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -67,6 +69,7 @@ std::vector<StageMix> stage_mixes(const Selection& selection) {
   };
   return {soup("game_like", {.inside = 58, .outside = 37, .straddling = 5}),
           soup("straddling", {.straddling = 1}),
+          soup("several_planes", {.several_planes = 1}),
           soup("inside", {.inside = 1}),
           soup("outside", {.outside = 1}),
           {"terrain", Contract::indexed, [levels, seed = selection.seed] {
@@ -90,53 +93,39 @@ Contestants selected_for_stage(const StageInput& input, const Selection& selecti
 }  // namespace
 
 StageClock stage_clock(bool quick) {
-  if (!quick) return {};
+  if (!quick) return {.milliseconds_per_run = 7};
   return {.rounds = 5, .milliseconds_per_run = 0.5, .check = {.triangles = 8192, .exact = 24}};
-}
-
-void add_rows(const std::string& mix, const StageMeasurement& measured, TableOf<StageRow>& stage,
-              TableOf<RefusedRow>& refused, PieceRecord& record) {
-  for (const MemoryTiming& pass : measured.passes) {
-    stage.add(stage_row(mix, pass));
-    record.add(fmt::format("stage {} {}", mix, name_of(pass.pass)), pass.timing);
-  }
-  for (const StageTiming& t : measured.contestants) {
-    const StageRow row = stage_row(mix, t);
-    stage.add(row);
-    record.add(
-        fmt::format("stage {} {} {} {} {}", mix, row.clipper, row.scalar, row.build, row.contract),
-        t.timing);
-    if (t.timing.is_timed()) continue;
-    refused.add({mix, row.clipper, row.build, row.contract, t.timing.refused});
-  }
 }
 
 std::string run_stage(const ExperimentContext& context) {
   const Selection& selection = context.selection();
-  TableOf<MixRow> shares;
-  TableOf<StageRow> stage;
-  TableOf<RefusedRow> refused;
+  StageTables tables;
+  auto& [shares, stage, certainty, refused] = tables;
   const std::vector<StageMix> mixes = stage_mixes(selection);
   Progress progress("cost of the stage", mixes.size());
   for (const StageMix& mix : mixes) {
     const std::string cell = fmt::format("stage {} {}", mix.name, name_of(mix.contract));
-    context.piece(cell, {&stage, &shares, &refused}, [&](PieceRecord& record) {
+    context.piece(cell, {&stage, &shares, &certainty, &refused}, [&](PieceRecord& record) {
       const StageInput input = mix.make();
-      const StageMeasurement measured =
-          measure_stage(input, selected_for_stage(input, selection), stage_clock(selection.quick));
       shares.add(mix_row(input, mix.contract));
-      add_rows(input.name, measured, stage, refused, record);
+      for (const StageMeasurement& measured : measure_stage(
+               input, selected_for_stage(input, selection), stage_clock(selection.quick))) {
+        tables.add(input.name, measured, record);
+      }
     });
     progress.advance();
   }
-  stage.add_note(fmt::format("SIMD: {}. {}", batch::target_name(), machine_description()));
-  context.emit(shares, stage);
+  stage.add_note(timing_description());
+  certainty.add_note(timing_description());
+  context.emit(shares, certainty, stage);
   if (!refused.rows().empty()) context.emit(refused);
   for (const Contract contract : kStageContracts) {
-    const Plot plot = stage_plot(stage.rows(), contract);
-    if (!plot.series.empty()) context.emit(plot);
+    for (const InputFrom from : {InputFrom::memory, InputFrom::cache}) {
+      const Plot plot = stage_plot(stage.rows(), contract, from);
+      if (!plot.series.empty()) context.emit(plot);
+    }
   }
-  return stage_finding(stage.rows());
+  return certainty_finding(certainty.rows());
 }
 
 }  // namespace clipscope::experiments::cost

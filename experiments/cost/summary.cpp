@@ -24,12 +24,11 @@ std::string shown_scalar(const std::vector<R>& rows) {
   return has_float || rows.empty() ? "float" : rows.front().scalar;
 }
 
-// The fastest of a contract, of any build; null if none was timed.
-const StageRow* fastest_row(const std::vector<StageRow>& stage, const std::string& mix,
-                            std::string_view contract) {
+// The fastest of some rows, of any build; null if none was timed.
+const StageRow* fastest_row(const std::vector<StageRow>& rows) {
   const StageRow* fastest = nullptr;
-  for (const StageRow& row : stage) {
-    if (row.mix != mix || row.contract != contract || !row.timing) continue;
+  for (const StageRow& row : rows) {
+    if (!row.timing) continue;
     if (!fastest || row.timing->ns.median < fastest->timing->ns.median) fastest = &row;
   }
   return fastest;
@@ -76,29 +75,32 @@ Plot split_plot(const std::vector<SplitRow>& split) {
   return plot;
 }
 
-Plot stage_plot(const std::vector<StageRow>& stage, Contract contract) {
+Plot stage_plot(const std::vector<StageRow>& stage, Contract contract, InputFrom from) {
   using R = StageRow;
   const std::string name(name_of(contract));
-  std::vector<R> rows = rows_where(stage, &R::contract, name, &R::is_shown, true);
-  std::erase_if(rows, [](const R& r) { return r.clipper == "textbook" || !r.timing->speedup; });
+  const bool is_cached = from == InputFrom::cache;
+  const std::vector<R> all = rows_where(stage, &R::contract, name, &R::from, from);
+  std::vector<R> rows = rows_where(all, &R::is_shown, true);
+  std::erase_if(rows, [](const R& row) { return row.clipper == "textbook"; });
   Plot plot{
-      .name = "cost_stage_" + name,
-      .title = fmt::format("The stage by {}: times faster than the textbook", name),
+      .name = fmt::format("cost_stage_{}{}", name, is_cached ? "_cached" : ""),
+      .title =
+          fmt::format("Time of the stage by mix of triangles: {}, from {}", name, name_of(from)),
       .caption =
-          "Clip-space triangles in, clip-space polygons out; ratios to the textbook in the same round, with 95 % intervals. Batch clippers in SIMD. Grey: what moving the same bytes takes, the limit of memory.",
+          "Clip-space triangles in, clip-space polygons out; medians with 95 % intervals. Batch clippers in SIMD. Grey: what moving the same bytes takes.",
       .x = {.label = "mix"},
-      .y = {.label = "times faster than textbook"},
+      .y = {.label = "time [ns per triangle]", .logarithmic = true},
       .categories = distinct(rows, &R::mix)};
   if (rows.empty()) return plot;
   for (const std::string& label : distinct(rows, &R::label)) {
-    const auto speedup = [](const R& row) { return row.timing->speedup; };
-    add_bars(plot, label, rows, speedup, &R::mix, &R::label, label);
+    const auto ns = [](const R& row) { return row.timing->ns; };
+    add_bars(plot, label, rows, ns, &R::mix, &R::label, label);
   }
   const auto limit = [&](const R& row) {
-    const R& fastest = *fastest_row(stage, row.mix, name);
-    return 100 * fastest.timing->speedup->median / fastest.limit_percent->median;
+    const R& fastest = *fastest_row(rows_where(all, &R::mix, row.mix));
+    return fastest.timing->ns.median * fastest.timing->limit_percent->median / 100;
   };
-  add_bars(plot, "limit of memory", rows, limit, &R::mix).muted = true;
+  add_bars(plot, "limit of moving bytes", rows, limit, &R::mix).muted = true;
   return plot;
 }
 
@@ -114,7 +116,8 @@ Plot growth_plot(const std::vector<GrowthRow>& growth, Growing growing) {
       .y = {.label = "time [ns per triangle]", .logarithmic = true}};
   for (const GrowthRow& row : rows_where(growth, &GrowthRow::grows, growing)) {
     if (!row.ns) continue;
-    const std::string name = fmt::format("{} {}", row.clipper, name_of(row.contract));
+    const std::string name = fmt::format("{} {}{}", row.clipper, name_of(row.contract),
+                                         row.from == InputFrom::cache ? ", from cache" : "");
     auto series = std::ranges::find(plot.series, name, &Series::name);
     if (series == plot.series.end()) {
       series = plot.series.insert(series, {.name = name, .muted = row.clipper == "textbook"});

@@ -54,7 +54,7 @@ void run(const ExperimentContext& context) {
   rows.add_note(fmt::format(
       "changed: polygons that differ from the full pipeline's in any bit that the plan keeps. Max attribute error: where perspective correction is left out; tolerance {}. Not timed (-): the answers are wrong.",
       format_number(PlanSettings{}.tolerance)));
-  rows.add_note(machine_description());
+  rows.add_note(timing_description());
   context.emit(rows, plans, time_plot(rows.rows()));
   context.finding(finding(rows.rows()));
 }

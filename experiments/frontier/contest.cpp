@@ -6,6 +6,22 @@
 #include "experiments/selection/select.hpp"
 
 namespace clipscope::experiments::frontier {
+namespace {
+
+// Those of one contract together, in their order.
+std::vector<std::vector<Entry>> by_contract(const std::vector<Entry>& entries) {
+  std::vector<std::vector<Entry>> contracts;
+  for (const Entry& entry : entries) {
+    const Contract contract = entry.contestant->contract;
+    if (contracts.empty() || contracts.back().front().contestant->contract != contract) {
+      contracts.emplace_back();
+    }
+    contracts.back().push_back(entry);
+  }
+  return contracts;
+}
+
+}  // namespace
 
 double Entry::error(Measure measure) const {
   if (accuracy.visible == 0) return std::numeric_limits<double>::quiet_NaN();
@@ -42,7 +58,8 @@ std::vector<Entry> hold_contest(std::span<const SampledView> views, const Contes
   std::vector<Entry> entries;
   Inaccuracies inaccuracies;
   for (std::size_t i = 0; i < contestants.size(); ++i) {
-    const Entry& entry = entries.emplace_back(Entry{contestants[i], {}, accuracies[i]});
+    const Entry& entry =
+        entries.emplace_back(Entry{contestants[i], InputFrom::cache, {}, accuracies[i]});
     std::vector<double>& measured = inaccuracies.emplace_back();
     for (const Measure measure : kMeasures) measured.push_back(entry.error(measure));
   }
@@ -53,29 +70,30 @@ std::vector<Entry> hold_contest(std::span<const SampledView> views, const Contes
   return entries;
 }
 
-std::vector<std::vector<Entry>> hold_stage_contest(const StageInput& input,
-                                                   const Contestants& selected,
+std::vector<std::vector<Entry>> hold_stage_contest(const StageInput& soup,
+                                                   const Contestants& selected, std::size_t timed,
                                                    const StageClock& clock) {
-  Contestants contestants = stage_contestants(input);
+  Contestants contestants = stage_contestants(soup);
   const Contestant* baseline = contestants.front();
   std::erase_if(contestants, [&](const Contestant* c) {
     return c != baseline && (c->build == "plain" || !has_clipper(selected, c->clipper));
   });
-  Progress progress("frontier of the stage on " + input.name,
-                    input.array_size() * contestants.size());
-  const std::vector<BatchAccuracy> accuracies = judge_stage(input, contestants, progress);
-  const StageMeasurement measured = measure_stage(input, contestants, clock);
-  std::vector<std::vector<Entry>> by_contract;
-  for (std::size_t i = 0; i < contestants.size(); ++i) {
-    const Contestant* c = contestants[i];
-    if (c == baseline && !has_clipper(selected, c->clipper)) continue;
-    if (by_contract.empty() || by_contract.back().front().contestant->contract != c->contract) {
-      by_contract.emplace_back();
+  Progress progress("frontier of the stage on " + soup.name,
+                    soup.array_size() * contestants.size());
+  const std::vector<BatchAccuracy> accuracies = judge_stage(soup, contestants, progress);
+  const StageInput copies = shuffled_copies(soup, timed, 1);
+  std::vector<std::vector<Entry>> contests;
+  for (const StageMeasurement& measured : measure_stage(copies, contestants, clock)) {
+    std::vector<Entry> entries;
+    for (std::size_t i = 0; i < contestants.size(); ++i) {
+      if (contestants[i] == baseline && !has_clipper(selected, baseline->clipper)) continue;
+      entries.push_back(
+          {contestants[i], measured.from, measured.contestants[i].timing, accuracies[i]});
     }
-    by_contract.back().push_back({c, measured.contestants[i].timing, accuracies[i]});
+    for (std::vector<Entry>& contest : by_contract(entries)) contests.push_back(std::move(contest));
   }
-  for (std::vector<Entry>& entries : by_contract) rank(entries);
-  return by_contract;
+  for (std::vector<Entry>& entries : contests) rank(entries);
+  return contests;
 }
 
 std::vector<std::size_t> steps_of(std::span<const Entry> entries, Measure measure) {

@@ -2,7 +2,7 @@
 //
 // One set of triangles: every contestant's time and errors on the same triangles in the same run,
 // and who is on the frontier by each measure of error. Each contract has a frontier of its own:
-// full, and of the stage copy and number.
+// full, and of the stage copy and number, from memory and from cache.
 #pragma once
 
 #include <array>
@@ -30,9 +30,10 @@ constexpr std::array<std::string_view, 3> names_of(Measure) {
 
 struct Entry {
   const Contestant* contestant = nullptr;
+  InputFrom from = InputFrom::cache;  // when timed
   Timing timing = {};
   BatchAccuracy accuracy = {};
-  std::array<FrontierRank, kMeasures.size()> ranks = {};  // by measure, within the contract
+  std::array<FrontierRank, kMeasures.size()> ranks = {};  // by measure, among those beside it
 
   double error(Measure measure) const;
   const FrontierRank& rank(Measure measure) const {
@@ -47,14 +48,16 @@ std::vector<FrontierPoint> frontier_points(std::span<const Entry> entries, Measu
 void rank(std::span<Entry> entries);
 
 // Judges all contestants on all triangles of the views, then times them on the same, slow ones on a
-// leading share of each view.
+// leading share of each view; the triangles come again and again, and stay in cache.
 std::vector<Entry> hold_contest(std::span<const SampledView> views, const Contestants& contestants,
                                 const ContestClock& clock, Progress& progress);
 
-// The stage's: judges and times those whose clipper is selected, in SIMD, on all triangles of the
-// input. Those of one contract are together.
-std::vector<std::vector<Entry>> hold_stage_contest(const StageInput& input,
-                                                   const Contestants& selected,
+// The stage's: judges those whose clipper is selected, in SIMD, on all triangles of the soup, and
+// times them on at least `timed` triangles, the soup's again and again in other orders, so that no
+// cache holds them and no branch predictor knows them. Those of one contract from one place are
+// together.
+std::vector<std::vector<Entry>> hold_stage_contest(const StageInput& soup,
+                                                   const Contestants& selected, std::size_t timed,
                                                    const StageClock& clock);
 
 // Indices of the frontier's members by the measure, from the fastest on, each with a smaller error.

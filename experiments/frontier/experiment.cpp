@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kTriangles = 6000;  // per set, over all its views
 constexpr std::size_t kQuickTriangles = 300;
+constexpr std::size_t kTimedInStage = 500'000, kQuickTimedInStage = 40'000;
 // Who is twice as slow as somebody at most as inaccurate is on no frontier.
 constexpr double kFar = 2;
 
@@ -31,8 +32,8 @@ struct Tables {
     add_rows(set, entries, steps);
     add_rows(set, entries, refused);
     for (const Entry& e : entries) {
-      record.add(fmt::format("{} {} {} {}", set, name_of(e.contestant->contract),
-                             e.contestant->clipper, e.contestant->scalar()),
+      record.add(fmt::format("{} {} {} {} {}", set, name_of(e.contestant->contract),
+                             name_of(e.from), e.contestant->clipper, e.contestant->scalar()),
                  e.timing);
     }
   }
@@ -77,7 +78,9 @@ void measure_set(const Selection& selection, const std::string& name,
                                .check = {.exact = clock.checked}};
   Contestants in_stage = contestants;
   std::ranges::copy(stage_only_contestants(selection.clipper), std::back_inserter(in_stage));
-  for (const auto& stage : hold_stage_contest(scene_input(scene, limit), in_stage, stage_clock)) {
+  const std::size_t timed = selection.quick ? kQuickTimedInStage : kTimedInStage;
+  for (const auto& stage :
+       hold_stage_contest(scene_input(scene, limit), in_stage, timed, stage_clock)) {
     tables.add(scene.name, stage, record);
   }
 }
@@ -100,13 +103,14 @@ void run(const ExperimentContext& context) {
   const Contestants contestants = selected_contestants(selection);
   Tables tables;
   auto& [frontier, steps, refused, rounding] = tables;
-  // Game-like, all straddling, hard.
-  for (const std::string& name : selection.scenes_or({"soup", "soup_straddling", "slivers"})) {
+  // Game-like, cut by one plane mostly, by several, hard.
+  for (const std::string& name :
+       selection.scenes_or({"soup", "soup_straddling", "soup_several_planes", "slivers"})) {
     context.piece(
         "set " + name, {&frontier, &steps, &refused, &rounding},
         [&](PieceRecord& record) { measure_set(selection, name, contestants, tables, record); });
   }
-  frontier.add_note(machine_description());
+  frontier.add_note(timing_description());
   steps.add_note(machine_description());
   context.emit(frontier, steps, rounding);
   if (!refused.rows().empty()) context.emit(refused);

@@ -15,10 +15,11 @@ namespace {
 
 constexpr double kNearlyFree = 10, kHalf = 50, kTwice = 100;  // percent of time
 
-// The rows of a set and contract that were timed and judged, the fastest first.
-std::vector<Row> timed_rows(const std::vector<Row>& rows, const std::string& set,
-                            Contract contract) {
-  std::vector<Row> timed = rows_where(rows, &Row::set, set, &Row::contract, contract);
+// The rows of a set, contract and place that were timed and judged, the fastest first.
+std::vector<Row> timed_rows(const std::vector<Row>& rows, const std::string& set, Contract contract,
+                            InputFrom from) {
+  std::vector<Row> timed =
+      rows_where(rows, &Row::set, set, &Row::contract, contract, &Row::from, from);
   std::erase_if(timed, [](const Row& row) { return !row.timing || !row.misrounded_percent; });
   std::ranges::stable_sort(timed, {}, [](const Row& row) { return row.timing->ns.median; });
   return timed;
@@ -26,21 +27,24 @@ std::vector<Row> timed_rows(const std::vector<Row>& rows, const std::string& set
 
 // What a set asks of time for coordinates that are proved to be right.
 struct Price {
-  std::string set;
+  std::string set;       // in words
   double percent = 0;    // of time, over the fastest
   std::string unproved;  // the fastest that has every coordinate right without a proof, if any
 };
 
 std::vector<Price> prices_of(const std::vector<Row>& rows, Contract contract) {
   std::vector<Price> prices;
-  for (const std::string& set : distinct(rows, &Row::set)) {
-    const std::vector<Row> timed = timed_rows(rows, set, contract);
+  for (const auto& [set, from] :
+       distinct(rows, [](const Row& r) { return std::pair(r.set, r.from); })) {
+    const std::vector<Row> timed = timed_rows(rows, set, contract, from);
     const auto proved = std::ranges::find_if(timed, [](const Row& row) {
       return row.clipper.starts_with("barycentric/correctly_rounded");
     });
     if (proved == timed.end()) continue;
     const auto right = std::ranges::find(timed, std::optional(0.0), &Row::misrounded_percent);
-    prices.push_back({set, 100 * (proved->timing->ns.median / timed.front().timing->ns.median - 1),
+    const bool is_cached = contract != Contract::full && from == InputFrom::cache;
+    prices.push_back({spoken_set(set) + (is_cached ? " from cache" : ""),
+                      100 * (proved->timing->ns.median / timed.front().timing->ns.median - 1),
                       right < proved ? spoken_contestant(right->clipper, right->scalar) : ""});
   }
   return prices;
@@ -62,12 +66,12 @@ std::string price_sentence(const std::vector<Price>& prices, std::string_view wh
   const Price& dearest = *std::ranges::max_element(prices, {}, &Price::percent);
   const std::string text =
       fmt::format("{} correct rounding {} on {}, where it takes {} than the fastest clipper.",
-                  where, claim_of(first), spoken_set(first.set), more_time(first));
+                  where, claim_of(first), first.set, more_time(first));
   if (dearest.set == first.set) return text;
-  const std::string set = spoken_set(dearest.set), more = more_time(dearest);
+  const std::string more = more_time(dearest);
   return claim_of(dearest) == claim_of(first)
-             ? fmt::format("{} On no set is it dearer than on {}, at {}.", text, set, more)
-             : fmt::format("{} On {} it {}, at {}.", text, set, claim_of(dearest), more);
+             ? fmt::format("{} On no set is it dearer than on {}, at {}.", text, dearest.set, more)
+             : fmt::format("{} On {} it {}, at {}.", text, dearest.set, claim_of(dearest), more);
 }
 
 // Who has the same coordinates for less, without a proof.
@@ -76,7 +80,7 @@ std::string unproved_sentence(const std::vector<Price>& prices) {
   if (dearest.unproved.empty()) return "";
   return fmt::format(
       " What it buys is the proof: on {} {} has every coordinate right, too, and is faster.",
-      spoken_set(dearest.set), dearest.unproved);
+      dearest.set, dearest.unproved);
 }
 
 std::string rounding_text(const std::vector<Row>& rows) {
@@ -94,7 +98,11 @@ std::string rounding_text(const std::vector<Row>& rows) {
 std::string way_text(const std::vector<Row>& rows, const std::string& set) {
   std::vector<std::string> scalars;
   std::size_t behind = 0;
-  const std::vector<Row> timed = timed_rows(rows, set, Contract::full);
+  std::vector<Row> timed;
+  for (const InputFrom from : distinct(rows, &Row::from)) {
+    const std::vector<Row> there = timed_rows(rows, set, Contract::full, from);
+    timed.insert(timed.end(), there.begin(), there.end());
+  }
   for (const Row& row : timed) {
     if (row.by_px.standing != Standing::frontier) {
       ++behind;

@@ -40,6 +40,7 @@ void add_rows(const std::string& set, std::span<const Entry> entries, TableOf<Ro
   for (const Entry& e : entries) {
     Row row{.set = set,
             .contract = e.contestant->contract,
+            .from = e.from,
             .clipper = std::string(e.contestant->clipper),
             .scalar = std::string(e.contestant->scalar()),
             .timing = if_timed(e.timing),
@@ -66,6 +67,7 @@ void add_rows(const std::string& set, std::span<const Entry> entries, TableOf<St
       const Entry &from = entries[steps[i - 1]], &to = entries[steps[i]];
       table.add({.set = set,
                  .contract = to.contestant->contract,
+                 .input_from = to.from,
                  .measure = measure,
                  .from = short_name(from),
                  .to = short_name(to),
@@ -85,7 +87,9 @@ void add_rows(const std::string& set, std::span<const Entry> entries, TableOf<St
 
 void add_rows(const std::string& set, std::span<const Entry> entries, TableOf<RefusedRow>& table) {
   for (const Entry& e : entries) {
-    if (e.timing.is_timed()) continue;
+    // Whom the stage refused from memory it refuses from cache.
+    const bool is_repeated = e.contestant->contract != Contract::full && e.from == InputFrom::cache;
+    if (e.timing.is_timed() || is_repeated) continue;
     table.add({set, e.contestant->contract, std::string(e.contestant->clipper),
                std::string(e.contestant->scalar()), e.timing.refused});
   }

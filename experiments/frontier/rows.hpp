@@ -26,6 +26,7 @@ struct Place {
 struct Row {
   std::string set;
   Contract contract = Contract::full;
+  InputFrom from = InputFrom::memory;
   std::string clipper, scalar;
   std::optional<Timing> timing;
   // Nothing is said about errors where nothing is visible.
@@ -34,6 +35,8 @@ struct Row {
   Place by_px, by_rounding, by_wrong;
   std::int64_t judged_triangles = 0, visible_triangles = 0;
 
+  // Plots and price lists speak of the stage from memory; from view space on there is one place.
+  bool is_main() const { return contract == Contract::full || from == InputFrom::memory; }
   std::optional<double> error(Measure measure) const {
     return std::array{max_px, misrounded_percent, wrong_percent}[static_cast<std::size_t>(measure)];
   }
@@ -44,17 +47,18 @@ struct Row {
   static constexpr std::string_view kName = "frontier";
   static constexpr std::string_view kTitle =
       "Error and time on the same triangles, and who is beaten in both";
-  static constexpr std::array<std::string_view, 3> kNotes = {
+  static constexpr std::array<std::string_view, 4> kNotes = {
       "Every contestant is judged on all triangles of the set and timed on the same, a slow one on a leading share of them (they are shuffled). Errors are over visible triangles, wrong ones included: max px is the largest distance on a screen of 3840 x 2160 between what is drawn and what should be. Rounded right: coordinates that, kept as floats, are the floats nearest to the exact ones. Wrong set: triangles with the wrong vertices.",
       "Frontier (by max px, by misrounded coordinates, by wrong sets): no other contestant is at most as slow (median), at most as far off, and better in one of the two; times differ if their 95 % intervals are apart. Each contract has frontiers of its own. Not timed: the answers break the promise (frontier_refused).",
-      "Contract full: view space in, NDC out, judged against the exact frustum. Copy and number: the stage, the same triangles in clip space, clip space out, batch clippers in SIMD; judged against what is exact for these clip coordinates. Rounded right is then about x, y, z, w."};
+      "Contract full: view space in, NDC out, judged against the exact frustum. Copy and number: the stage, the same triangles in clip space, clip space out, batch clippers in SIMD; judged against what is exact for these clip coordinates. Rounded right is then about x, y, z, w.",
+      "From: the full contract's triangles come again and again, and stay in the second-level cache. The stage's come again and again in other orders, from memory, and in blocks that were read before, though not clipped before, from cache (as in cost_stage)."};
   static constexpr auto columns() {
     using R = Row;
     const auto place = [](std::string_view on, std::string_view head, std::string_view by) {
       return std::tuple(column(on, head, &Place::standing), column(by, "by", &Place::dominated_by));
     };
     return std::tuple(
-        column("set", &R::set), column("contract", &R::contract),
+        column("set", &R::set), column("contract", &R::contract), column("from", &R::from),
         contestant_columns(&R::clipper, &R::scalar), group(&R::timing),
         column("max_px", "max px", &R::max_px), column("q999_px", "99.9 % px", &R::q999_px),
         column("correctly_rounded_percent", "rounded right %", &R::correctly_rounded_percent),
@@ -72,6 +76,7 @@ struct Row {
 struct StepRow {
   std::string set;
   Contract contract = Contract::full;
+  InputFrom input_from = InputFrom::memory;
   Measure measure = Measure::max_px;
   std::string from, to;  // contestants
   double time_percent = 0;
@@ -86,7 +91,8 @@ struct StepRow {
     using R = StepRow;
     return std::tuple(
         column("set", &R::set), column("contract", &R::contract),
-        column("measure", "by", &R::measure), column("from", &R::from), column("to", &R::to),
+        column("input_from", "input from", &R::input_from), column("measure", "by", &R::measure),
+        column("from", &R::from), column("to", &R::to),
         column("time_percent", "time +%", &R::time_percent), column("buys", &R::buys),
         column("ns_from", "ns from", &R::ns_from), column("ns_to", "ns to", &R::ns_to),
         column("max_px_from", "max px from", &R::max_px_from),
@@ -147,12 +153,14 @@ void add_rows(const std::string& set, std::span<const Entry> entries, TableOf<Re
 void add_rows(const std::string& set, std::span<const SampledView> views,
               TableOf<RoundingRow>& table);
 
-// What correct rounding costs, in the stage if that was timed, on the first set and on the dearest;
+// What correct rounding costs, in the stage if that was timed, on the first set from memory and
+// where it is dearest;
 // and by which scalars the frontier by max_px leads in the full contract of the first set.
 std::string finding(const std::vector<Row>& rows);
 
 // Error over time, one plot per set, contract and measure: the frontier as a line, who is dominated
 // in grey.
+// Of the stage that from memory.
 struct PlottedFrontier {
   std::string set;
   Measure measure = Measure::max_px;

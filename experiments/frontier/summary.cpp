@@ -39,7 +39,7 @@ std::vector<PlottedPoint> plotted_points(const std::vector<Row>& rows, const Plo
   std::vector<PlottedPoint> points;
   for (const Row& row : rows_where(rows, &Row::set, of.set, &Row::contract, of.contract)) {
     const std::optional<double> error = row.error(of.measure);
-    if (!row.timing || !error) continue;
+    if (!row.timing || !error || !row.is_main()) continue;
     const bool on_frontier = row.place(of.measure).standing == Standing::frontier;
     const bool named = of.contract != Contract::full || on_frontier ||
                        is_named_though_dominated(row.clipper, row.scalar);
@@ -112,7 +112,9 @@ Plot frontier_plot(const std::vector<Row>& rows, const PlottedFrontier& of) {
   }
   const Series exact = exact_line(points, floor);
   const std::string stage =
-      of.contract == Contract::full ? "" : fmt::format(", the stage by {}", name_of(of.contract));
+      of.contract == Contract::full
+          ? ""
+          : fmt::format(", the stage by {} from memory", name_of(of.contract));
   Plot plot{
       .name = file_name(of),
       .title = fmt::format("What accuracy costs in time: {}{}", of.set, stage),

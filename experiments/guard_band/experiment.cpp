@@ -124,7 +124,7 @@ void run(const ExperimentContext& context) {
     });
     progress.advance();
   }
-  work.add_note(machine_description());
+  work.add_note(timing_description());
   context.emit(work, fixed, points, pictures);
   context.emit(cut_plot(work.rows()), time_plot(work.rows()));
   context.finding(finding(work.rows(), pictures.rows()));

@@ -3,6 +3,7 @@
 // History: what was published since 1968 beside what this run measured of it.
 #include "experiments/report/experiment.hpp"
 #include "experiments/history/rows.hpp"
+#include "experiments/machine/measuring.hpp"
 
 namespace clipscope::experiments::history {
 namespace {
@@ -17,7 +18,12 @@ void run(const ExperimentContext& context) {
     const Plot plot = history_plot(table.rows(), field);
     if (!plot.series.empty()) context.emit(plot);
   }
-  context.finding(finding(table.rows()));
+  Interruptions runs;  // behind what it was made of
+  for (const char* times : {"segments_plane", "segments", "cost"}) {
+    runs = runs + context.interruptions(times);
+  }
+  const std::string busy = busy_text(runs);
+  context.finding(finding(table.rows()) + (busy.empty() ? "" : " " + busy));
 }
 
 }  // namespace

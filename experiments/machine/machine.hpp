@@ -1,33 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The machine that a timing was measured on, and the hold on one of its processors.
+// The machine that a timing was measured on, in words: the one place where tables, the page of
+// results, the README's findings, the claims and the paper have it from.
 #pragma once
 
+#include <cstddef>
 #include <ctime>
 #include <fmt/chrono.h>
-#include <sched.h>
 #include <string>
 
 namespace clipscope::experiments {
 
-// One line: processor, compiler and version, flags, commit.
+// What does not change while it is on: processor, how many there are, the instruction set that the
+// batch clippers run on.
+std::string machine_name();
+
+// Of a processor's second-level cache; what does not fit comes from memory, as experiments have it,
+// though a third level may hold it. 256 KiB where the system doesn't say.
+std::size_t level2_cache_bytes();
+
+// How times are measured: frequency governor and scheduling class.
+std::string measuring_conditions();
+
+// These, and what else the machine did since the program started: share of the processors' time
+// that other programs took (a hypervisor's other machines, too), runs under the clock that lost the
+// processor.
+std::string machine_state();
+
+// One line: the machine, compiler and version, flags, commit. Of what was timed also its state.
 std::string machine_description();
-
-// Keeps the calling thread on the processor that it runs on while the object lives.
-class PinnedThread {
- public:
-  PinnedThread();
-  ~PinnedThread();
-  PinnedThread(const PinnedThread&) = delete;
-  PinnedThread& operator=(const PinnedThread&) = delete;
-
-  // False where the system does not allow it.
-  bool pinned() const { return pinned_; }
-
- private:
-  cpu_set_t before_;
-  bool pinned_ = false;
-};
+std::string timing_description();
 
 // Dates in UTC: "2026-03-01T12:34:56Z" (ISO 8601).
 inline std::string date_of(std::time_t time) {

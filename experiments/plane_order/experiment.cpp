@@ -84,7 +84,7 @@ void run(const ExperimentContext& context) {
   const OrdersRow all = total(orders.rows());
   orders.add(all);
   for (Table* table : std::initializer_list<Table*>{&orders, &classes, &times}) {
-    table->add_note(fmt::format("Seed {}. {}", selection.seed, machine_description()));
+    table->add_note(fmt::format("Seed {}. {}", selection.seed, timing_description()));
     context.emit(*table);
   }
   context.emit(wrong_plot(classes.rows()), intersections_plot(classes.rows()));

@@ -21,6 +21,7 @@
 #include "spaces/cut.hpp"
 #include "spaces/homogeneous/divide.hpp"
 #include "spaces/homogeneous/sutherland_hodgman.hpp"
+#include "spaces/measured.hpp"
 #include "spaces/planes.hpp"
 
 namespace clipscope::experiments::plane_order {
@@ -86,21 +87,22 @@ class OrderTree {
   // with its first K attributes.
   static std::vector<OrderedCut<T, K>> cut_all(DepthRange depth, Outcode planes,
                                                const FloatTriangle& triangle) {
-    OrderTree tree(depth);
-    ClipPolygon<T, K> polygon;
+    OrderTree tree;
+    Polygon polygon;
     for (const auto& [position, attributes] : triangle) {
       ClipVertex<T, K> vertex{Vec4<T>(position), {}};
       for (int k = 0; k < K; ++k) vertex.attributes[k] = T(attributes[k]);
-      polygon.push_back(vertex);
+      polygon.push_back(measured(depth, vertex));
     }
     tree.descend(polygon, planes, {});
     return std::move(tree.results_);
   }
 
  private:
-  explicit OrderTree(DepthRange depth) : depth_(depth) {}
+  using Vertex = MeasuredVertex<Space::clip, T, K>;
+  using Polygon = VertexList<Vertex>;
 
-  void descend(const ClipPolygon<T, K>& polygon, Outcode planes, const OrderedCut<T, K>& so_far) {
+  void descend(const Polygon& polygon, Outcode planes, const OrderedCut<T, K>& so_far) {
     if (planes == 0) {
       results_.push_back(so_far);
       divide(polygon, results_.back().polygon);
@@ -109,13 +111,12 @@ class OrderTree {
     for (const Plane plane : kAllPlanes) {
       if ((planes & bit(plane)) == 0) continue;
       OrderedCut<T, K> next = so_far;
-      ClipPolygon<T, K> rest;
+      Polygon rest;
       cut(
-          polygon, rest,
-          [&](const ClipVertex<T, K>& v) { return signed_distance(depth_, plane, v); },
-          [&](const ClipVertex<T, K>& inside, const ClipVertex<T, K>& outside, const T& t) {
+          polygon, rest, [&](const Vertex& v) { return carried_distance(plane, v); },
+          [&](const Vertex& from, const Vertex& to, const T& t) {
             ++next.intersections;
-            return interpolate(inside, outside, t);
+            return interpolate(from, to, t);
           });
       next.largest = std::max(next.largest, rest.size());
       next.overflowed = next.overflowed || rest.overflowed() ||
@@ -124,7 +125,6 @@ class OrderTree {
     }
   }
 
-  DepthRange depth_;
   std::vector<OrderedCut<T, K>> results_;
 };
 

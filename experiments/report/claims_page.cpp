@@ -32,7 +32,8 @@ std::map<std::string, Table> evidence_by_claim(const Table& evidence) {
 
 std::string tally_html(const Table& claims) {
   std::map<std::string, int> counts;
-  std::vector<std::string> order = {"confirmed", "true only when", "refuted", "undecided"};
+  std::vector<std::string> order = {"confirmed", "true only when", "refuted", "not settled",
+                                    "undecided"};
   for (const auto& row : claims.rows()) ++counts[format_cell(row[place_of(claims, "verdict")])];
   for (const auto& [verdict, count] : counts) {
     if (std::ranges::find(order, verdict) == order.end()) order.push_back(verdict);

@@ -33,7 +33,9 @@ void ExperimentContext::piece(const std::string& name, std::initializer_list<Tab
   if (recorder_->restore(name, tables, results_)) return;
   recorder_->record(name, tables, [&](PieceRecord& record) {
     make_folder(out());
+    const Interruptions before = interruptions_so_far();
     work(record);
+    record.add(interruptions_so_far() - before);
     for (Picture& picture : record.pictures) picture.file = in_results(picture.file);
   });
 }
@@ -63,7 +65,15 @@ void ExperimentContext::emit(const Plot& plot) const {
 }
 
 void ExperimentContext::finding(const std::string& sentence) const {
-  recorder_->set_finding(sentence);
+  const std::string busy = busy_text(recorder_->store().interruptions(recorder_->experiment()));
+  recorder_->set_finding(busy.empty() ? sentence : sentence + " " + busy);
+}
+
+Interruptions ExperimentContext::interruptions(const std::string& table_name) const {
+  for (const StoredTable& table : recorder_->store().tables()) {
+    if (table.name == table_name) return recorder_->store().interruptions(table.experiment);
+  }
+  return {};
 }
 
 std::optional<Table> ExperimentContext::emitted(const std::string& table_name) const {

@@ -58,7 +58,10 @@ class ExperimentContext {
   // Says on standard output which files were written since this was last called.
   void tell_files() const;
   // One or two sentences that answer the experiment's question, with the figures that decide it.
+  // Where it timed something while the machine was busy, that is added.
   void finding(const std::string& sentence) const;
+  // Runs under the clock of the experiment that a table belongs to; none if there is no such table.
+  Interruptions interruptions(const std::string& table_name) const;
 
   // A table that an experiment of this run has emitted; nothing if none did.
   std::optional<Table> emitted(const std::string& table_name) const;

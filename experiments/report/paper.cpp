@@ -153,7 +153,7 @@ std::string claim_macros(const PaperRows& run) {
     ++counts[text];
   }
   KeyedMacro count("claimcount");
-  for (const char* text : {"confirmed", "true only when", "refuted", "undecided"}) {
+  for (const char* text : {"confirmed", "true only when", "refuted", "not settled", "undecided"}) {
     count.define(text, fmt::format("{}", counts[text]));
   }
   return verdict.text() + because.text() + count.text();

@@ -20,8 +20,8 @@ namespace {
 constexpr std::size_t kFewPictures = 12;  // more are shown folded
 
 // What people ask of a run; the store keeps more, to compare runs by.
-constexpr const char* kShown[] = {"machine", "compiler", "flags",   "version",
-                                  "commit",  "seed",     "started", "command"};
+constexpr const char* kShown[] = {"machine", "measuring", "compiler", "flags",  "version",
+                                  "commit",  "seed",      "started",  "command"};
 
 // What a page may load that has files beside it (CSP level 3, 2.3.1), from a disk or a server.
 constexpr const char* kBeside = "'self' file:";
@@ -105,22 +105,33 @@ std::string section_html(const PageSource& source, const StoredExperiment& exper
   return html + command_html(experiment.command) + "</section>\n";
 }
 
-std::string run_html(const RunInfo& run) {
+std::string run_html(const ResultsStore& store) {
+  RunInfo shown;
+  const RunInfo run = store.run_info();
+  for (const char* name : kShown) shown.emplace_back(name, value_of(run, name));
+  const Interruptions runs = store.interruptions();
+  if (runs.runs > 0) shown.emplace_back("timing", runs.text());
   std::string html = "<dl class=\"run\">\n";
-  for (const char* name : kShown) {
-    const std::string value = value_of(run, name);
+  for (const auto& [name, value] : shown) {
     if (value.empty()) continue;
     html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, html_escape(value));
   }
   return html + "</dl>\n";
 }
 
-// A first pass says so before anything else.
-std::string header_html(const RunInfo& run) {
+// A first pass says so before anything else, and so does a run on a machine that was busy.
+std::string header_html(const ResultsStore& store) {
+  const RunInfo run = store.run_info();
+  const Interruptions runs = store.interruptions();
   std::string html = fmt::format("<header>\n<h1>{}</h1>\n", kPageQuestion);
   if (value_of(run, "pass") == "first") {
     html +=
         "<p class=\"banner\"><b>First pass.</b> Times are of few rounds, and figures may still move. The full pass replaces this page when it ends.</p>\n";
+  }
+  if (runs.is_busy()) {
+    html += fmt::format(
+        "<p class=\"banner\"><b>Not settled.</b> The machine was busy: {}. Times and ratios may move.</p>\n",
+        runs.text());
   }
   return html +
          "<p class=\"subtitle\">Results of one run of clipscope: clippers in view space, clip space and the canonical view volume, judged by exact arithmetic.</p>\n</header>\n";
@@ -169,15 +180,14 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
 ReportPage report_page(const ResultsStore& store, const std::filesystem::path& directory,
                        PageForm form) {
   const PageSource source(store, directory, form);
-  const RunInfo run = store.run_info();
   const std::string answers = answers_html(source);
   Experiments experiments = store.experiments();
   if (!answers.empty()) std::erase_if(experiments, is_called(kAnswers));
   std::stable_partition(experiments.begin(), experiments.end(), is_called(kClaims));
-  std::string body = contents_html(experiments, !answers.empty()) + header_html(run) +
+  std::string body = contents_html(experiments, !answers.empty()) + header_html(store) +
                      "<main id=\"content\">\n" + answers + "<details" +
                      (answers.empty() ? " open" : "") + "><summary>The run</summary>\n" +
-                     run_html(run) + "</details>\n";
+                     run_html(store) + "</details>\n";
   auto rest = experiments.begin();
   if (source.parts().contains(kClaims)) body += section_html(source, *rest++);
   body += findings_html(experiments);

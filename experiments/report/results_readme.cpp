@@ -22,7 +22,7 @@ constexpr const char* kIntroduction = R"(# Results of a run of clipscope
 - Each experiment has a folder: every table as Markdown, CSV and LaTeX, every plot as SVG, PDF and PNG, pictures as PNG, and some as EXR.
 - [{1}]({1}) has all tables, findings and samples: `clipscope table --run .` lists the tables, `clipscope table NAME --run .` prints one.
 
-The command was `{2}`, begun {3} on {4}, built with {5} from commit {6}.
+The command was `{2}`, begun {3} on {4}, built with {5} from commit {6}.{8}
 
 | experiment | question | tables, the answer first | plots | pictures |
 |---|---|---|---|---|
@@ -61,6 +61,20 @@ std::string tables_cell(const ResultsStore& store, const std::string& experiment
   return fmt::format("{}", fmt::join(tables, ", "));
 }
 
+// The machine, and how it was asked to measure.
+std::string machine_text(const RunInfo& run) {
+  const std::string measuring = value_of(run, "measuring");
+  return value_of(run, "machine") + (measuring.empty() ? "" : fmt::format(" ({})", measuring));
+}
+
+// How quiet the machine was; empty where nothing was timed.
+std::string clock_sentence(const ResultsStore& store) {
+  const Interruptions runs = store.interruptions();
+  if (runs.runs == 0) return "";
+  const std::string busy = busy_text(runs);
+  return fmt::format(" Of what was timed {}.{}{}", runs.text(), busy.empty() ? "" : " ", busy);
+}
+
 // A line for each answer of the run, with the folder of its evidence; empty without answers.
 std::string answers_list(const ResultsStore& store) {
   if (!store.has_table(kAnswers)) return "";
@@ -91,8 +105,8 @@ std::string results_readme(const ResultsStore& store) {
   const RunInfo run = store.run_info();
   std::string text =
       fmt::format(kIntroduction, kReportFile, kStoreFile, value_of(run, "command"),
-                  value_of(run, "started"), value_of(run, "machine"), value_of(run, "compiler"),
-                  value_of(run, "commit"), answers_list(store));
+                  value_of(run, "started"), machine_text(run), value_of(run, "compiler"),
+                  value_of(run, "commit"), answers_list(store), clock_sentence(store));
   for (const StoredExperiment& experiment : store.experiments()) text += line(store, experiment);
   return text;
 }

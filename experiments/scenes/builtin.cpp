@@ -94,6 +94,9 @@ constexpr SceneInfo kScenes[] = {
      [](const SceneOptions& options) { return soup_scene({.straddling = 1}, options); }},
     {"soup_behind", "random triangles from inside the volume to behind the eye, across w = 0",
      [](const SceneOptions& options) { return soup_scene({.crossing_w0 = 1}, options); }},
+    {"soup_several_planes",
+     "random triangles across two planes or more, half of them behind the eye",
+     [](const SceneOptions& options) { return soup_scene({.several_planes = 1}, options); }},
     {"slivers", "needles, near-collinear and near-planar triangles, edges of 1e-4 to 1e6",
      make_slivers_scene},
 };

@@ -53,7 +53,8 @@ Scene terrain_of_levels(int levels, std::uint64_t seed);
 // magnitude, so that a float computation classifies it as exact arithmetic does.
 // What is not: that the sizes follow any particular game. An inside triangle is 1 to 100 px large
 // at 3840 x 2160, a straddling one 16 to 400 px; near-plane crossers are as large as the near
-// rectangle.
+// rectangle; those across several planes are a half to four times as large as their distance from
+// the eye (in a parallel projection as half the height of the volume).
 
 // How many of the triangles are of which kind, as non-negative weights of any positive sum.
 struct SoupShares {
@@ -61,14 +62,26 @@ struct SoupShares {
   double outside = 0;      // all vertices outside one plane: rejected by outcodes
   double straddling = 0;   // one vertex or two inside, and every one in front of the eye (w > 0)
   double crossing_w0 = 0;  // one vertex or two inside, and one or two behind the eye (w < 0)
+  // Some vertex outside of each of two planes or more, all vertices outside of none. One half of
+  // these reach behind the eye with one vertex or two; in a parallel projection none do.
+  double several_planes = 0;
 };
 
-enum class SoupClass { inside, outside, straddling, crossing_w0, none };
+// several_planes: those in front of the eye; several_planes_behind: the other half. A triangle may
+// belong to one of these and to straddling or crossing_w0 as well.
+enum class SoupClass {
+  inside,
+  outside,
+  straddling,
+  crossing_w0,
+  several_planes,
+  several_planes_behind
+};
 
-// The class of a triangle by a plain double computation; `none` where a vertex comes too close to a
-// plane or the triangle belongs to no class. In a parallel projection nothing crosses w = 0.
-SoupClass classify(const Frustum<float>& frustum,
-                   const std::array<std::array<float, 3>, 3>& triangle);
+// By a plain double computation; false where a vertex comes too close to a plane. In a parallel
+// projection nothing crosses w = 0.
+bool is_of_class(SoupClass kind, const Frustum<float>& frustum,
+                 const std::array<std::array<float, 3>, 3>& triangle);
 
 // `triangles` triangles with three vertices of their own each, the classes in random order.
 // Attributes: those of add_random_triangle.

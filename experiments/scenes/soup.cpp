@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -66,7 +67,8 @@ class Proposer {
       case SoupClass::inside: return blob(inside_point(), 1, 100);
       case SoupClass::outside: return blob(outside_point(), 1, 100);
       case SoupClass::straddling: return random_.chance(0.85) ? across_side() : across_depth();
-      default: return across_eye();
+      case SoupClass::crossing_w0: return across_eye();
+      default: return across_planes();
     }
   }
 
@@ -154,21 +156,37 @@ class Proposer {
     return corners;
   }
 
+  // Around a point inside, as large as what is seen there.
+  Corners across_planes() {
+    const dvec3 centre = inside_point();
+    const double reach =
+        is_perspective() ? std::abs(centre.z) : 0.5 * (frustum_.top - frustum_.bottom);
+    return around(centre, reach * random_.across_magnitudes(0.5, 4));
+  }
+
   Frustum<double> frustum_;
   Random random_;
 };
 
-// In the order of SoupClass.
-std::array<double, 4> in_order(const SoupShares& shares) {
-  return {shares.inside, shares.outside, shares.straddling, shares.crossing_w0};
+constexpr std::size_t kClasses = 6;
+using ByClass = std::array<double, kClasses>;  // in the order of SoupClass
+
+ByClass by_class(const SoupShares& shares, ProjectionKind kind) {
+  const double behind = kind == ProjectionKind::perspective ? 0.5 * shares.several_planes : 0;
+  return {shares.inside,
+          shares.outside,
+          shares.straddling,
+          shares.crossing_w0,
+          shares.several_planes - behind,
+          behind};
 }
 
 // Whole numbers in the proportion of the shares, by the largest remainder, that sum to `total`.
-std::array<std::size_t, 4> apportion(const std::array<double, 4>& shares, std::size_t total) {
+std::array<std::size_t, kClasses> apportion(const ByClass& shares, std::size_t total) {
   const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
-  std::array<std::size_t, 4> counts;
-  std::array<double, 4> remainders;
-  for (int i = 0; i < 4; ++i) {
+  std::array<std::size_t, kClasses> counts;
+  std::array<double, kClasses> remainders;
+  for (std::size_t i = 0; i < kClasses; ++i) {
     const double exact = shares[i] / sum * static_cast<double>(total);
     counts[i] = static_cast<std::size_t>(exact);
     remainders[i] = exact - static_cast<double>(counts[i]);
@@ -182,13 +200,14 @@ std::array<std::size_t, 4> apportion(const std::array<double, 4>& shares, std::s
 }
 
 void check(const SoupShares& shares, const Frustum<float>& frustum) {
-  const std::array<double, 4> all = in_order(shares);
+  const std::array all = {shares.inside, shares.outside, shares.straddling, shares.crossing_w0,
+                          shares.several_planes};
   for (const double share : all) {
     if (!(share >= 0 && std::isfinite(share))) {
       throw UsageError(fmt::format("soup: a share of {} given; shares are numbers >= 0", share));
     }
   }
-  if (all == std::array<double, 4>{}) {
+  if (std::ranges::count(all, 0) == std::ssize(all)) {
     throw UsageError("soup: all shares are 0; at least one must be positive");
   }
   if (shares.crossing_w0 > 0 && frustum.kind == ProjectionKind::parallel) {
@@ -196,10 +215,10 @@ void check(const SoupShares& shares, const Frustum<float>& frustum) {
   }
 }
 
-std::vector<SoupClass> shuffled_classes(const SoupShares& shares, std::size_t triangles,
+std::vector<SoupClass> shuffled_classes(const ByClass& shares, std::size_t triangles,
                                         Random& random) {
   std::vector<SoupClass> classes;
-  for (int kind = 0; const std::size_t count : apportion(in_order(shares), triangles)) {
+  for (int kind = 0; const std::size_t count : apportion(shares, triangles)) {
     classes.insert(classes.end(), count, static_cast<SoupClass>(kind++));
   }
   random.shuffle(std::span(classes));
@@ -210,7 +229,7 @@ Corners find_triangle(SoupClass wanted, Proposer& proposer, const Frustum<float>
   for (int i = 0; i < kMostProposals; ++i) {
     const Corners corners = proposer.propose(wanted);
     const auto& [a, b, c] = corners;
-    if (classify(frustum, {rounded(a), rounded(b), rounded(c)}) == wanted) return corners;
+    if (is_of_class(wanted, frustum, {rounded(a), rounded(b), rounded(c)})) return corners;
   }
   throw UsageError(fmt::format(
       "soup: the volume from near {} to far {} is too thin for triangles of a pixel and more; move near and far apart",
@@ -219,22 +238,29 @@ Corners find_triangle(SoupClass wanted, Proposer& proposer, const Frustum<float>
 
 }  // namespace
 
-SoupClass classify(const Frustum<float>& frustum,
-                   const std::array<std::array<float, 3>, 3>& triangle) {
+bool is_of_class(SoupClass kind, const Frustum<float>& frustum,
+                 const std::array<std::array<float, 3>, 3>& triangle) {
   const Projection<double> projection(frustum_cast<double>(frustum));
-  Outcode all = ~Outcode{0};
+  Outcode all = ~Outcode{0}, any = 0;
   int inside = 0, behind = 0;
   for (const auto& corner : triangle) {
     const Place place = place_of(projection, corner);
-    if (!place.clear) return SoupClass::none;
+    if (!place.clear) return false;
     all &= place.outside;
+    any |= place.outside;
     inside += place.outside == 0;
     behind += place.behind_eye;
   }
-  if (all != 0) return SoupClass::outside;
-  if (inside == 3) return SoupClass::inside;
-  if (inside == 0) return SoupClass::none;
-  return behind == 0 ? SoupClass::straddling : SoupClass::crossing_w0;
+  if (all != 0) return kind == SoupClass::outside;
+  const bool straddles = inside == 1 || inside == 2, several = std::popcount(any) > 1;
+  switch (kind) {
+    case SoupClass::inside: return inside == 3;
+    case SoupClass::outside: return false;
+    case SoupClass::straddling: return straddles && behind == 0;
+    case SoupClass::crossing_w0: return straddles && behind > 0;
+    case SoupClass::several_planes: return several && behind == 0;
+    default: return several && behind > 0;
+  }
 }
 
 Mesh make_soup(const SoupShares& shares, std::size_t triangles, std::uint64_t seed,
@@ -243,7 +269,8 @@ Mesh make_soup(const SoupShares& shares, std::size_t triangles, std::uint64_t se
   check(shares, frustum);
   Proposer proposer(frustum, seed);
   Mesh mesh;
-  for (const SoupClass wanted : shuffled_classes(shares, triangles, proposer.random())) {
+  const ByClass weights = by_class(shares, frustum.kind);
+  for (const SoupClass wanted : shuffled_classes(weights, triangles, proposer.random())) {
     add_random_triangle(mesh, find_triangle(wanted, proposer, frustum), proposer.random());
   }
   return mesh;

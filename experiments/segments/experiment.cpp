@@ -91,7 +91,7 @@ Mixes measure_mixes(const ExperimentContext& context) {
   }
   tables.times.add_note(fmt::format("Seed {}; {} segments a mix, at most {} of each view judged.",
                                     selection.seed, size, judged));
-  tables.times.add_note(machine_description());
+  tables.times.add_note(timing_description());
   return tables;
 }
 
@@ -124,7 +124,7 @@ TableOf<PlaneRow> measure_plane(const ExperimentContext& context) {
   }
   table.add_note(fmt::format("Seed {}; {} segments a mix, {} judged and counted.", selection.seed,
                              size, judged));
-  table.add_note(machine_description());
+  table.add_note(timing_description());
   return table;
 }
 
@@ -166,7 +166,7 @@ std::string run_convex(const ExperimentContext& context) {
     });
   }
   table.add_note(fmt::format("Seed {}; {} segments, {} judged.", selection.seed, size, judged));
-  table.add_note(machine_description());
+  table.add_note(timing_description());
   context.emit(table);
   const Plot plot = convex_plot(table.rows());
   if (!plot.series.empty()) context.emit(plot);

@@ -59,6 +59,7 @@ struct Selection {
   bool json = false;
   bool tables = false;    // run: print every table
   bool pictures = false;  // also those of single cases that fail
+  bool realtime = false;  // threads that measure are in the real-time class; see measuring.hpp
 
   // What was asked for, or what an experiment takes without.
   std::vector<std::string> scenes_or(std::vector<std::string> usual) const {

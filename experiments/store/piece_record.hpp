@@ -11,6 +11,7 @@
 
 #include "experiments/clock/clock.hpp"
 #include "experiments/contestants/contestant.hpp"
+#include "experiments/machine/measuring.hpp"
 #include "experiments/scenes/scene.hpp"
 #include "experiments/selection/select.hpp"
 
@@ -39,6 +40,9 @@ struct Picture {
   std::string caption;
 };
 
+// The series of a piece's runs under the clock; its values are those of Interruptions, in order.
+inline constexpr const char* kRunSeries = "runs under the clock";
+
 struct PieceRecord {
   std::vector<Samples> samples;
   std::vector<WorstInput> worst_inputs;
@@ -48,6 +52,13 @@ struct PieceRecord {
   void add(std::string series, const Timing& timing, std::string_view item = "triangle") {
     if (!timing.is_timed()) return;
     samples.push_back({std::move(series), "ns per " + std::string(item), timing.samples_ns});
+  }
+  // What was run under the clock; nothing if nothing was.
+  void add(const Interruptions& runs) {
+    if (runs.runs == 0) return;
+    const auto value = [](std::int64_t count) { return static_cast<double>(count); };
+    samples.push_back(
+        {kRunSeries, "runs", {value(runs.runs), value(runs.redone), value(runs.disturbed)}});
   }
 };
 

@@ -91,4 +91,13 @@ std::vector<WorstInput> ResultsStore::worst_inputs(const std::string& experiment
       {experiment});
 }
 
+Interruptions ResultsStore::interruptions(const std::string& experiment) const {
+  const auto sums = read<double, 1>(
+      "SELECT total(s.value) FROM sample s JOIN cell c ON c.id = s.cell_id WHERE s.series = ? AND ? IN ('', c.experiment) GROUP BY s.position ORDER BY s.position",
+      {kRunSeries, experiment});
+  if (sums.size() != 3) return {};
+  const auto count = [&](std::size_t i) { return static_cast<std::int64_t>(sums[i]); };
+  return {count(0), count(1), count(2)};
+}
+
 }  // namespace clipscope::experiments

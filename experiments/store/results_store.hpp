@@ -23,8 +23,8 @@ namespace clipscope::experiments {
 
 inline constexpr const char* kStoreFile = "results.sqlite";
 
-// machine, compiler, flags, version, commit, seed, started (UTC, ISO 8601), options (JSON),
-// command: in the order in which people read them.
+// machine, measuring, compiler, flags, version, commit, seed, started (UTC, ISO 8601), options
+// (JSON), command: in the order in which people read them.
 using RunInfo = std::vector<std::pair<std::string, std::string>>;
 
 struct StoredExperiment {
@@ -77,6 +77,8 @@ class ResultsStore {
   // Plots, then pictures.
   std::vector<StoredFigure> figures(const std::string& experiment) const;
   std::vector<WorstInput> worst_inputs(const std::string& experiment) const;
+  // Runs under the clock of an experiment; of all of them if none is named.
+  Interruptions interruptions(const std::string& experiment = "") const;
 
  private:
   template <class Row, std::size_t kColumns>

@@ -57,6 +57,7 @@ Json options_of(const Selection& s) {
           {"sample", s.sample},
           {"quick", s.quick},
           {"pictures", s.pictures},
+          {"realtime", s.realtime},
           {"eye", json_of(s.camera.eye)},
           {"target", json_of(s.camera.target)},
           {"up", json_of(s.camera.up)},
@@ -118,12 +119,6 @@ std::string files_read(const Selection& selection) {
     files.push_back(fmt::format("{} {}", scene, fingerprint(scene)));
   }
   return fmt::format("{}", fmt::join(files, ", "));
-}
-
-// Processor and how many there are.
-std::string machine_name() {
-  const std::string description = machine_description();
-  return description.substr(0, description.find(';'));
 }
 
 void check_resumable(const RunInfo& stored, const RunInfo& now, const fs::path& file) {
@@ -209,6 +204,7 @@ Selection default_run_selection() {
 
 RunInfo run_info_of(const Selection& selection) {
   return {{"machine", machine_name()},
+          {"measuring", measuring_conditions()},
           {"compiler", fmt::format("{} {}", kCompiler, kCompilerVersion)},
           {"flags", kFlags},
           {"version", kVersion},

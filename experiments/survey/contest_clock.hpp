@@ -4,7 +4,9 @@
 // was prepared before.
 //
 // Timed is the contract's whole way: view space in, NDC polygons out, written one after the other.
-// A slow contestant takes the same leading share of each batch in all rounds.
+// A slow contestant takes the same leading share of each batch in all rounds. Everything is warm on
+// purpose: all clip the same primitives again and again, so that what is compared is arithmetic and
+// branches, not memory. What streams from memory is stage/stage_timing.hpp's.
 #pragma once
 
 #include <cstddef>

@@ -26,33 +26,14 @@
 #endif
 
 #include "spaces/batch/corners-inl.hpp"
+#include "spaces/batch/one_plane-inl.hpp"
 #include "spaces/batch/plain.hpp"
+#include "spaces/bounds/enclosure_arithmetic.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
 
 inline constexpr double kEdgeError = 16 * 0x1p-53;  // of the lemma
-
-// A triangle that one plane cuts has one vertex, the apex, alone on its side: both edges that are
-// cut meet there. Polygon: apex, cut of apex-b, cut of apex-c if the apex is inside, else b, c, cut
-// of apex-c, cut of apex-b. Looked up, since a branch would be mispredicted half of the time.
-struct Apex {
-  std::uint8_t apex, b, c;
-  std::uint8_t first;       // vertex of the polygon
-  std::uint8_t place_of_b;  // in the polygon: the cut of apex-b; that of apex-c is the third vertex
-  std::uint8_t size;        // of the polygon
-};
-// Indexed by the mask of outside vertices, 1 to 6.
-inline constexpr Apex kApex[7] = {{},
-                                  {0, 1, 2, 1, 3, 4},
-                                  {1, 2, 0, 2, 3, 4},
-                                  {2, 0, 1, 2, 1, 3},
-                                  {2, 0, 1, 0, 3, 4},
-                                  {1, 2, 0, 1, 1, 3},
-                                  {0, 1, 2, 0, 1, 3}};
-
-// The vertices at the ends of an edge.
-inline constexpr std::uint8_t kEnds[3][2] = {{1, 2}, {0, 2}, {0, 1}};
 
 template <bool kCertain, class S>
 struct FromOriginals {
@@ -65,45 +46,48 @@ struct FromOriginals {
   using DF = hn::Rebind<float, D>;
   using DU = hn::Rebind<std::uint32_t, D>;
   using Bits = hn::Vec<DU>;
+  using Vec = hn::Vec<D>;
 
-  template <class V>
-  HWY_INLINE int cut_one_plane(const V* const vertex[3], const CodePlane& plane, V* out) const {
-    const double d[3] = {distance<double>(plane, vertex[0]), distance<double>(plane, vertex[1]),
-                         distance<double>(plane, vertex[2])};
-    if (d[0] == 0 || d[1] == 0 || d[2] == 0) return cut_at_vertex(vertex, d, plane, out);
-    const Apex& order = kApex[outside_mask(d)];
+  // Both return the number of vertices, or kGiveUp.
+  template <class V, class Splits>
+  HWY_INLINE int cut_one_plane(const V* const vertex[3], const CodePlane& plane,
+                               const Splits& splits, std::size_t lane, V* out) const {
+    const unsigned outside = splits.outside(lane);
+    if (outside == 0) return cut_at_vertex(vertex, plane, out);
+    const Apex& order = kApex[outside];
     const std::size_t stride = shape.floats();
     copy_vertex(shape, vertex[order.first], out);
     copy_vertex(shape, vertex[order.c], out + stride);
-    write_two_means(vertex, order, d, plane, out + order.place_of_b * stride, out + 2 * stride);
+    const Edge b{splits.b(lane), splits.apex(lane), splits.over_b(lane)},
+        c{splits.c(lane), splits.apex(lane), splits.over_c(lane)};
+    write_two_means(vertex, order, b, c, plane, out + order.place_of_b * stride, out + 2 * stride);
     return order.size;
   }
 
-  template <class V>
-  HWY_INLINE int cut_planes(const Straddler<V>& s, V* out) const {
-    if ((s.any & kPlaneBits) == 0) return kGiveUp;  // vertices (0, 0, 0, 0)
-    Corners<kCertain> corners;
-    if (!corners.cut(planes, s)) return kGiveUp;
-    const int size = corners.list().size;
-    return size < 3 || write_corners(corners, s, out) ? size : kGiveUp;
+  // A triangle in a lane.
+  template <class V, class Lanes>
+  HWY_INLINE int cut_planes(const V* const vertex[3], const Lanes& lanes, std::size_t lane,
+                            V* out) const {
+    if (!lanes.is_certain(lane)) return kGiveUp;
+    const int size = lanes.size(lane);
+    return size == 0 || write_corners(vertex, lanes, lane, out) ? size : kGiveUp;
   }
 
  private:
-  using Corner = typename Corners<kCertain>::Corner;
-
-  // The plane of a line, numbered as Corners does.
-  const CodePlane& plane_of(int line) const { return planes[line - 3]; }
+  // The plane of a line, numbered as CornerLanes does.
+  const CodePlane& plane_of(int line) const { return planes[static_cast<std::size_t>(line - 3)]; }
   int line_of(const CodePlane& plane) const {
     int line = 3;
     while (plane_of(line).bit != plane.bit) ++line;
     return line;
   }
 
-  // The same where a vertex lies on the plane: its distance is 0, exactly.
+  // A vertex lies on the plane: its distance is 0, exactly.
   template <class V>
-  HWY_NOINLINE int cut_at_vertex(const V* const vertex[3], const double d[3],
-                                 const CodePlane& plane, V* out) const {
+  HWY_NOINLINE int cut_at_vertex(const V* const vertex[3], const CodePlane& plane, V* out) const {
     if constexpr (kCertain) {
+      const double d[3] = {distance<double>(plane, vertex[0]), distance<double>(plane, vertex[1]),
+                           distance<double>(plane, vertex[2])};
       const std::size_t stride = shape.floats();
       Doubt all;
       all.set_all();
@@ -121,97 +105,94 @@ struct FromOriginals {
     }
   }
 
-  // Bits in which the floats nearest to two doubles differ; the nearest to `low` goes to out.
-  static HWY_INLINE Bits store_between(hn::Vec<D> low, hn::Vec<D> high, float* out) {
-    const auto a = hn::DemoteTo(DF(), low), b = hn::DemoteTo(DF(), high);
-    hn::StoreU(a, DF(), out);
-    return hn::Xor(hn::BitCast(DU(), a), hn::BitCast(DU(), b));
-  }
+  // The floats of a vertex that are left open: where there are ones in some bits.
+  struct Doubt {
+    HWY_ALIGN std::uint32_t open[S::kWidth];
+
+    void set_all() { std::fill(open, open + S::kWidth, 1); }
+  };
 
   // Ones in the lanes of a vertex's first vector that have to be certain: all, or all but z, which
   // is set where it lies on its plane z = 0.
-  static HWY_INLINE Bits first_lanes(bool sets_z) {
+  static HWY_INLINE Bits lanes_in_doubt(std::size_t lane, bool sets_z) {
     HWY_ALIGN static constexpr std::uint32_t kBits[2][8] = {
         {~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u}, {~0u, ~0u, 0, ~0u, ~0u, ~0u, ~0u, ~0u}};
-    return hn::Load(DU(), kBits[sets_z]);
+    return hn::Load(DU(), kBits[sets_z && lane < 8] + lane % 8);
+  }
+  static HWY_INLINE bool is_none(Bits open) {
+    return !kCertain || hn::AllTrue(DU(), hn::Eq(open, hn::Zero(DU())));
   }
 
-  // Stores sum / total, rounded, and returns the bits that this leaves open: it is within `error`
-  // times the largest of the values that it is a mean of. Fused multiplications, where there are
-  // some, round less.
-  template <class V>
-  static HWY_INLINE Bits store_mean(hn::Vec<D> sum, hn::Vec<D> reciprocal,
-                                    [[maybe_unused]] hn::Vec<D> largest,
-                                    [[maybe_unused]] hn::Vec<D> error, V* out) {
+  // A mean: sum / total lies between both, if floats have to be certain.
+  struct Interval {
+    Vec low, high;
+  };
+
+  // It is within `error` times the largest of the values that it is a mean of. Fused
+  // multiplications, where there are some, round less.
+  static HWY_INLINE Interval interval(Vec sum, Vec reciprocal, [[maybe_unused]] Vec largest,
+                                      [[maybe_unused]] Vec error) {
     if constexpr (kCertain) {
       const auto off = hn::Mul(largest, error);
-      return store_between(hn::MulSub(sum, reciprocal, off), hn::MulAdd(sum, reciprocal, off), out);
+      return {hn::MulSub(sum, reciprocal, off), hn::MulAdd(sum, reciprocal, off)};
     } else {
-      store(D(), hn::Mul(sum, reciprocal), out);
+      const auto q = hn::Mul(sum, reciprocal);
+      return {q, q};
+    }
+  }
+
+  // Stores the float nearest to the low end; bits in which that nearest to the high end differs.
+  template <class V>
+  static HWY_INLINE Bits store_mean(const Interval& mean, V* out) {
+    if constexpr (kCertain) {
+      const auto a = hn::DemoteTo(DF(), mean.low), b = hn::DemoteTo(DF(), mean.high);
+      hn::StoreU(a, DF(), out);
+      return hn::Xor(hn::BitCast(DU(), a), hn::BitCast(DU(), b));
+    } else {
+      store(D(), mean.low, out);
       return hn::Zero(DU());
     }
   }
 
-  // The floats of a vertex that are left open: where there are ones in some bits.
-  struct Doubt {
-    Bits some;
-    HWY_ALIGN std::uint32_t open[S::kWidth];
-
-    HWY_INLINE Doubt() : some(hn::Zero(DU())) {}
-    HWY_INLINE void add(Bits more, std::size_t lane, Bits first) {
-      if (!kCertain) return;
-      if (lane == 0) more = hn::And(more, first);
-      some = hn::Or(some, more);
-      hn::Store(more, DU(), open + lane);
-    }
-    HWY_INLINE bool is_none() const {
-      return !kCertain || hn::AllTrue(DU(), hn::Eq(some, hn::Zero(DU())));
-    }
-    void set_all() {
-      some = hn::Set(DU(), 1);
-      std::fill(open, open + S::kWidth, 1);
-    }
+  // Weights of the ends of an edge, and one over their sum: where they are kept, so that they are
+  // loaded into all lanes at once.
+  struct Edge {
+    const double &of_a, &of_b, &reciprocal;
   };
 
-  // l_a a + l_b b. A sum that is 0 is +0; where floats have to be certain a -0 is found out as
-  // such.
-  static HWY_INLINE hn::Vec<D> sum_of(hn::Vec<D> l_a, hn::Vec<D> a, hn::Vec<D> l_b, hn::Vec<D> b) {
+  // The mean of a and b, lanes from i on. A sum that is 0 is +0; where floats have to be certain a
+  // -0 is found out as such.
+  static HWY_INLINE Interval mean(const Edge& edge, Vec a, Vec b) {
+    const D d;
+    const auto of_a = hn::Set(d, edge.of_a), of_b = hn::Set(d, edge.of_b),
+               reciprocal = hn::Set(d, edge.reciprocal);
     if constexpr (kCertain) {
-      return hn::MulAdd(l_a, a, hn::Mul(l_b, b));
+      return interval(hn::MulAdd(of_a, a, hn::Mul(of_b, b)), reciprocal,
+                      hn::Max(hn::Abs(a), hn::Abs(b)), hn::Set(d, kEdgeError));
     } else {
-      return hn::Add(hn::Add(hn::Mul(l_a, a), hn::Mul(l_b, b)), hn::Zero(D()));
+      const auto sum = hn::Add(hn::Add(hn::Mul(of_a, a), hn::Mul(of_b, b)), hn::Zero(d));
+      return interval(sum, reciprocal, sum, sum);
     }
   }
 
-  static HWY_INLINE hn::Vec<D> larger(hn::Vec<D> a, hn::Vec<D> b) {
-    return hn::Max(hn::Abs(a), hn::Abs(b));
-  }
-
-  // Where a plane, at distances d of the vertices, cuts the edges from the apex to b and c.
+  // Where a plane cuts the edges from the apex to b and c.
   template <class V>
-  HWY_INLINE void write_two_means(const V* const vertex[3], const Apex& order, const double d_of[3],
-                                  const CodePlane& plane, V* to_b, V* to_c) const {
+  HWY_INLINE void write_two_means(const V* const vertex[3], const Apex& order, const Edge& edge_b,
+                                  const Edge& edge_c, const CodePlane& plane, V* to_b,
+                                  V* to_c) const {
     const D d;
-    const double d_apex = std::abs(d_of[order.apex]), d_b = std::abs(d_of[order.b]),
-                 d_c = std::abs(d_of[order.c]);
-    const auto of_a_b = hn::Set(d, d_b), of_a_c = hn::Set(d, d_c), of_other = hn::Set(d, d_apex),
-               over_b = hn::Set(d, 1 / (d_apex + d_b)), over_c = hn::Set(d, 1 / (d_apex + d_c)),
-               error = hn::Set(d, kEdgeError);
     const V *a = vertex[order.apex], *b = vertex[order.b], *c = vertex[order.c];
-    const Bits first = first_lanes(plane.w_weight == 0);
-    Doubt doubt_b, doubt_c;
+    const bool sets_z = plane.w_weight == 0;
     // Whole vectors that reach into the next vertex must not be written before it is.
     HWY_ALIGN V scratch[2][S::kWidth];
     V* const out_b = S::kLoadsInPlace ? to_b : scratch[0];
     V* const out_c = S::kLoadsInPlace ? to_c : scratch[1];
+    Bits open = hn::Zero(DU());
     for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
       const auto v_a = load(d, a + i), v_b = load(d, b + i), v_c = load(d, c + i);
-      const Bits open_b = store_mean(sum_of(of_a_b, v_a, of_other, v_b), over_b, larger(v_a, v_b),
-                                     error, out_b + i);
-      const Bits open_c = store_mean(sum_of(of_a_c, v_a, of_other, v_c), over_c, larger(v_a, v_c),
-                                     error, out_c + i);
-      doubt_b.add(open_b, i, first);
-      doubt_c.add(open_c, i, first);
+      const Interval of_b = mean(edge_b, v_a, v_b), of_c = mean(edge_c, v_a, v_c);
+      const Bits some = hn::Or(store_mean(of_b, out_b + i), store_mean(of_c, out_c + i));
+      open = hn::Or(open, hn::And(some, lanes_in_doubt(i, sets_z)));
     }
     set_on_plane(plane, out_b);
     set_on_plane(plane, out_c);
@@ -220,16 +201,96 @@ struct FromOriginals {
       std::memcpy(to_c, out_c, shape.floats() * sizeof(V));
     }
     if constexpr (kCertain) {
-      if (hn::AllTrue(DU(), hn::Eq(hn::Or(doubt_b.some, doubt_c.some), hn::Zero(DU())))) return;
-      const int line = line_of(plane);
-      const bool inside = d_of[order.apex] > 0;  // then the polygon is the apex, to_b, to_c
-      if (!doubt_b.is_none()) {
-        write_again(vertex, inside ? order.c : line, inside ? line : order.c, doubt_b, to_b);
-      }
-      if (!doubt_c.is_none()) {
-        write_again(vertex, inside ? line : order.b, inside ? order.b : line, doubt_c, to_c);
-      }
+      if (HWY_LIKELY(is_none(open))) return;
+      settle_two_means(vertex, order, edge_b, edge_c, plane, to_b, to_c);
     }
+  }
+
+  // Whatever is open of them.
+  HWY_NOINLINE void settle_two_means(const float* const vertex[3], const Apex& order,
+                                     const Edge& edge_b, const Edge& edge_c, const CodePlane& plane,
+                                     float* to_b, float* to_c) const {
+    const int line = line_of(plane);
+    const bool inside = order.size == 3;  // then the polygon is the apex, to_b, to_c
+    settle(vertex, order.apex, order.b, edge_b, plane, inside ? order.c : line,
+           inside ? line : order.c, to_b);
+    settle(vertex, order.apex, order.c, edge_c, plane, inside ? line : order.b,
+           inside ? order.b : line, to_c);
+  }
+
+  // What is open of the mean of vertices a and b, where the polygon goes over from one line to the
+  // other: most are ties, which fused multiplications tell.
+  HWY_INLINE void settle(const float* const vertex[3], int a, int b, const Edge& edge,
+                         const CodePlane& plane, int from, int to, float* out) const {
+    const D d;
+    Doubt doubt;
+    Bits open = hn::Zero(DU());
+    const bool exact = is_exact(plane, vertex[a]) && is_exact(plane, vertex[b]);
+    HWY_ALIGN float nearest[S::kWidth];
+    for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
+      const auto v_a = load(d, vertex[a] + i), v_b = load(d, vertex[b] + i);
+      const Interval q = mean(edge, v_a, v_b);
+      Bits some = hn::And(store_mean(q, nearest + i), lanes_in_doubt(i, plane.w_weight == 0));
+      if (exact) some = choose_nearer(q, edge, v_a, v_b, some, nearest + i);
+      hn::Store(some, DU(), doubt.open + i);
+      open = hn::Or(open, some);
+    }
+    const float z = out[2];
+    std::memcpy(out, nearest, shape.floats() * sizeof(float));
+    if (plane.w_weight == 0) out[2] = z;
+    if (!is_none(open)) write_again(vertex, from, to, doubt, out);
+  }
+
+  // Whether the distance of a vertex is exact as it is.
+  static bool is_exact(const CodePlane& plane, const float* v) {
+    return bounds::two_sum(double{plane.w_weight} * v[3], double{plane.c_weight} * v[plane.axis])
+               .second == 0;
+  }
+
+  // The bits that remain open once values between two neighbouring floats have been compared with
+  // their midpoint m: the sign of of_a (a - m) + of_b (b - m). The differences are exact, or their
+  // lane stays open; the products are, as head and tail, and heads that don't cancel decide.
+  static HWY_INLINE Bits choose_nearer(const Interval& q, const Edge& edge, Vec a, Vec b, Bits open,
+                                       float* nearest) {
+#if !HWY_NATIVE_FMA
+    return open;
+#else
+    const D d;
+    const auto low = hn::DemoteTo(DF(), q.low), high = hn::DemoteTo(DF(), q.high);
+    const auto m = hn::Mul(hn::Set(d, 0.5), hn::Add(hn::PromoteTo(d, low), hn::PromoteTo(d, high)));
+    const auto lost = [&](Vec v, Vec difference) {
+      const auto back = hn::Add(difference, m);  // exact where nothing is lost
+      const auto rest = hn::Sub(v, difference);
+      return hn::Or(hn::Ne(back, v), hn::Ne(rest, m));
+    };
+    const auto d_a = hn::Sub(a, m), d_b = hn::Sub(b, m), of_a = hn::Set(d, edge.of_a),
+               of_b = hn::Set(d, edge.of_b);
+    const auto head_a = hn::Mul(of_a, d_a), head_b = hn::Mul(of_b, d_b),
+               head = hn::Add(head_a, head_b),
+               tail = hn::Add(hn::MulSub(of_a, d_a, head_a), hn::MulSub(of_b, d_b, head_b)),
+               sign = hn::IfThenElse(hn::Eq(head, hn::Zero(d)), tail, head);
+    const auto bits_low = hn::BitCast(DU(), low), bits_high = hn::BitCast(DU(), high);
+    const auto one = hn::Set(DU(), 1);
+    const auto neighbours = hn::Or(hn::Eq(hn::Sub(bits_high, bits_low), one),
+                                   hn::Eq(hn::Sub(bits_low, bits_high), one));
+    HWY_ALIGN double signs[8];
+    HWY_ALIGN std::uint32_t decided[8];
+    hn::Store(hn::IfThenElse(hn::Or(lost(a, d_a), lost(b, d_b)),
+                             hn::Set(d, std::numeric_limits<double>::quiet_NaN()), sign),
+              d, signs);
+    hn::Store(hn::IfThenElseZero(neighbours, open), DU(), decided);
+    HWY_ALIGN float highs[8];
+    HWY_ALIGN std::uint32_t rest[8];
+    hn::Store(high, DF(), highs);
+    hn::Store(open, DU(), rest);
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
+      if (decided[i] == 0 || std::isnan(signs[i])) continue;
+      const bool is_odd = (std::bit_cast<std::uint32_t>(nearest[i]) & 1) != 0;
+      if (signs[i] > 0 || (signs[i] == 0 && is_odd)) nearest[i] = highs[i];
+      rest[i] = 0;
+    }
+    return hn::Load(DU(), rest);
+#endif
   }
 
   // The vertex where the polygon goes over from one line to the other: what is in doubt, by
@@ -238,22 +299,6 @@ struct FromOriginals {
                                 float* out) const {
     ++tally.exact_vertices;
     plain::write_corner(depth, shape.floats(), vertex, from, to, doubt.open, out);
-  }
-
-  // The mean of vertices a and b with those weights, a point of an edge.
-  template <class V>
-  HWY_INLINE void write_mean(double of_a, int a, double of_b, int b, const V* const vertex[3],
-                             bool sets_z, Doubt& doubt, V* out) const {
-    const D d;
-    const auto l_a = hn::Set(d, of_a), l_b = hn::Set(d, of_b),
-               reciprocal = hn::Set(d, 1 / (of_a + of_b)), error = hn::Set(d, kEdgeError);
-    const Bits first = first_lanes(sets_z);
-    for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
-      const auto v_a = load(d, vertex[a] + i), v_b = load(d, vertex[b] + i);
-      const Bits open =
-          store_mean(sum_of(l_a, v_a, l_b, v_b), reciprocal, larger(v_a, v_b), error, out + i);
-      doubt.add(open, i, first);
-    }
   }
 
   // Floats that are certain lie on their plane by themselves, unless it is z = 0.
@@ -266,82 +311,114 @@ struct FromOriginals {
     }
   }
 
-  // Whether all corners are in front of the eye; the triangle's own ones are, inside planes that
-  // are not met. These come first, without a branch: slots of others are filled later.
-  template <class V>
-  HWY_INLINE bool write_corners(const Corners<kCertain>& corners, const Straddler<V>& s,
-                                V* out) const {
-    const List& list = corners.list();
-    const std::size_t stride = shape.floats();
-    int slots[3 + 2 * kPlanes], count = 0;
-    for_each_place(list, [&](int i) {
-      const int number = list.at(i);
-      copy_vertex(shape, s.vertex[number < 3 ? number : 0], out + i * stride);
-      slots[count] = i;
-      count += number >= 3;
-    });
-    bool in_front = true;
-    for (const int place : std::span(slots, count)) {
-      HWY_ALIGN V scratch[S::kWidth];
-      const Corner& corner = corners[list.at(place)];
-      V* const slot = out + place * stride;
-      V* const v = S::kLoadsInPlace ? slot : scratch;
-      Doubt doubt;
-      write_corner(corner, s, doubt, v);
-      if (!S::kLoadsInPlace) std::memcpy(slot, v, stride * sizeof(V));
-      if constexpr (kCertain) {
-        if (!doubt.is_none()) write_again(s.vertex, corner.from, corner.to, doubt, slot);
+  // The largest magnitudes of a triangle's values: of all three, and at 1, 2 and 4 of the ends of
+  // edges 0, 1 and 2.
+  struct Largest {
+    HWY_ALIGN double of[5][S::kWidth];
+
+    template <class V>
+    HWY_INLINE Largest(const S& shape, const V* const vertex[3]) {
+      const D d;
+      for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
+        const auto v_0 = hn::Abs(load(d, vertex[0] + i)), v_1 = hn::Abs(load(d, vertex[1] + i)),
+                   v_2 = hn::Abs(load(d, vertex[2] + i));
+        const auto of_0 = hn::Max(v_1, v_2);
+        hn::Store(hn::Max(v_0, of_0), d, of[0] + i);
+        hn::Store(of_0, d, of[1] + i);
+        hn::Store(hn::Max(v_0, v_2), d, of[2] + i);
+        hn::Store(hn::Max(v_0, v_1), d, of[4] + i);
       }
-      in_front = in_front && slot[3] > 0;
+    }
+  };
+
+  // Whether all corners are in front of the eye; the triangle's own ones are, inside planes that
+  // are not met. These come first, without a branch: places of others are filled later.
+  template <class V, class Lanes>
+  HWY_INLINE bool write_corners(const V* const vertex[3], const Lanes& lanes, std::size_t lane,
+                                V* out) const {
+    const std::size_t stride = shape.floats();
+    const int size = lanes.size(lane);
+    const auto copy = [&](int i) {
+      copy_vertex(shape, vertex[lanes.own_of(lane, i)], out + i * stride);
+    };
+    for (int i = 0; i < 4; ++i) copy(i);  // how many more is not to be predicted
+    for (int i = 4; i < size; ++i) copy(i);
+    const Largest largest(shape, vertex);
+    bool in_front = true;
+    for (std::uint64_t rest = lanes.made(lane); rest != 0; rest &= rest - 1) {
+      const int i = std::countr_zero(rest) / 8;
+      V* const to = out + i * stride;
+      write_corner(vertex, lanes, lane, i, largest, to);
+      in_front = in_front && to[3] > 0;
     }
     return in_front;
   }
 
-  // Writes a corner that lies on one plane or two.
-  template <class V>
-  HWY_INLINE void write_corner(const Corner& c, const Straddler<V>& s, Doubt& doubt, V* out) const {
-    const int low = std::min(c.from, c.to), high = std::max(c.from, c.to);
-    if (low < 3) {
-      const int a = kEnds[low][0], b = kEnds[low][1];
-      write_mean(c.lambda[a], a, c.lambda[b], b, s.vertex, plane_of(high).w_weight == 0, doubt,
-                 out);
+  // A corner that lies on one plane or two.
+  template <class V, class Lanes>
+  HWY_INLINE void write_corner(const V* const vertex[3], const Lanes& lanes, std::size_t lane,
+                               int i, const Largest& largest, V* to) const {
+    const int from = lanes.from(lane, i), next = lanes.to(lane, i);
+    const unsigned lines = 1u << from | 1u << next;
+    const bool sets_z = (lines & lines_of_zero()) != 0;
+    HWY_ALIGN V scratch[S::kWidth];
+    V* const out = S::kLoadsInPlace ? to : scratch;
+    Doubt doubt;
+    Bits open = write_mean(vertex, lanes, lane, i, largest.of[lines & 7], sets_z, doubt, out);
+    if constexpr (kCertain) {
+      if (sets_z) out[2] = 0;
     } else {
-      const bool sets_z = plane_of(low).w_weight == 0 || plane_of(high).w_weight == 0;
-      write_mean(c, s, sets_z, doubt, out);
-      set_on_plane(plane_of(low), out);
+      for (unsigned rest = lines >> 3; rest != 0; rest &= rest - 1) {
+        set_on_plane(planes[static_cast<std::size_t>(std::countr_zero(rest))], out);
+      }
     }
-    set_on_plane(plane_of(high), out);
+    if (!S::kLoadsInPlace) std::memcpy(to, out, shape.floats() * sizeof(V));
+    if constexpr (kCertain) {
+      if (HWY_LIKELY(is_none(open) && lanes.has_sum(lane, i))) return;
+      if (!lanes.has_sum(lane, i)) doubt.set_all();
+      write_again(vertex, from, next, doubt, to);
+    }
   }
 
-  // The mean of the three vertices at a meeting of two planes. The bound is that of
-  // `rounded_quotient` (exact_lines.hpp): lambda . |v| and |q| times the sum of lambda are no more
-  // than the largest |v| times that of the magnitudes.
-  template <class V>
-  HWY_INLINE void write_mean(const Corner& c, const Straddler<V>& s, bool sets_z, Doubt& doubt,
-                             V* out) const {
+  // The lines of planes z = 0, as bits.
+  unsigned lines_of_zero() const {
+    return depth == DepthRange::minus_one_to_one ? 0
+           : depth == DepthRange::reversed       ? 1u << (3 + static_cast<int>(Plane::far))
+                                                 : 1u << (3 + static_cast<int>(Plane::near));
+  }
+
+  // The mean of the three vertices with the corner's weights; that of equal values is their value.
+  // Returns what is open.
+  template <class V, class Lanes>
+  HWY_INLINE Bits write_mean(const V* const vertex[3], const Lanes& lanes, std::size_t lane, int i,
+                             const double* largest, bool sets_z, Doubt& doubt, V* out) const {
     const D d;
-    const double total = c.lambda[0] + c.lambda[1] + c.lambda[2],
-                 total_error = 10 * 0x1p-53 * (c.magnitude[0] + c.magnitude[1] + c.magnitude[2]);
-    if (kCertain && !(total > 0x1p20 * total_error)) return doubt.set_all();
-    const auto reciprocal = hn::Set(d, 1 / total),
-               error = hn::Set(d, 2 * total_error / total * (1 + 0x1p-17) + 0x1p-50);
-    const auto l_0 = hn::Set(d, c.lambda[0]), l_1 = hn::Set(d, c.lambda[1]),
-               l_2 = hn::Set(d, c.lambda[2]);
-    const Bits first = first_lanes(sets_z);
-    for (std::size_t i = 0; i < shape.width(); i += hn::Lanes(d)) {
-      const auto v_0 = load(d, s.vertex[0] + i), v_1 = load(d, s.vertex[1] + i),
-                 v_2 = load(d, s.vertex[2] + i);
-      auto sum = hn::Add(sum_of(l_0, v_0, l_1, v_1), hn::Mul(l_2, v_2));
+    const auto l_0 = hn::Set(d, lanes.lambda(lane, i, 0)),
+               l_1 = hn::Set(d, lanes.lambda(lane, i, 1)),
+               l_2 = hn::Set(d, lanes.lambda(lane, i, 2)),
+               reciprocal = hn::Set(d, lanes.reciprocal(lane, i)),
+               error = hn::Set(d, lanes.error(lane, i));
+    Bits open = hn::Zero(DU());
+    for (std::size_t k = 0; k < shape.width(); k += hn::Lanes(d)) {
+      const auto v_0 = load(d, vertex[0] + k), v_1 = load(d, vertex[1] + k),
+                 v_2 = load(d, vertex[2] + k);
       auto factor = reciprocal;
-      if constexpr (!kCertain) {
+      Vec sum;
+      if constexpr (kCertain) {
+        sum = hn::MulAdd(l_2, v_2, hn::MulAdd(l_1, v_1, hn::Mul(l_0, v_0)));
+      } else {
+        sum = hn::Add(hn::Add(hn::Mul(l_0, v_0), hn::Mul(l_1, v_1)), hn::Mul(l_2, v_2));
         const auto same = hn::And(hn::Eq(v_0, v_1), hn::Eq(v_1, v_2));
-        sum = hn::IfThenElse(same, hn::Add(v_0, hn::Zero(d)), sum);
+        sum = hn::Add(hn::IfThenElse(same, v_0, sum), hn::Zero(d));
         factor = hn::IfThenElse(same, hn::Set(d, 1.0), reciprocal);
       }
-      const Bits open =
-          store_mean(sum, factor, hn::Max(larger(v_0, v_1), hn::Abs(v_2)), error, out + i);
-      doubt.add(open, i, first);
+      const Bits some =
+          hn::And(store_mean(interval(sum, factor, hn::Load(d, largest + k), error), out + k),
+                  lanes_in_doubt(k, sets_z));
+      if constexpr (kCertain) hn::Store(some, DU(), doubt.open + k);
+      open = hn::Or(open, some);
     }
+    return open;
   }
 };
 

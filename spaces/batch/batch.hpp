@@ -32,6 +32,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <span>
 #include <string>
 #include <string_view>
@@ -127,6 +128,23 @@ struct Tally {
   std::uint64_t plain = 0;           // handed to the plain version
 };
 
+// Memory that begins with a cache line, so that a vertex of eight floats lies in one.
+template <class T>
+struct LineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t kLine{64};
+
+  LineAllocator() = default;
+  template <class U>
+  LineAllocator(const LineAllocator<U>&) {}
+
+  T* allocate(std::size_t count) {
+    return static_cast<T*>(::operator new(count * sizeof(T), kLine));
+  }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, kLine); }
+  bool operator==(const LineAllocator&) const { return true; }
+};
+
 // What a call leaves behind; reused from call to call it allocates no more. A vertex is 4 +
 // attributes floats: x y z w, in the full contract x y z 1/w.
 class Output {
@@ -148,7 +166,7 @@ class Output {
   // Sizes are kept apart, so that growing room for a block writes nothing.
   std::vector<std::uint32_t> inside_;
   std::vector<PolygonEnd> polygons_;
-  std::vector<float> vertices_;
+  std::vector<float, LineAllocator<float>> vertices_;
   std::vector<std::uint16_t> codes_;  // of the vertices of a mesh
   std::size_t inside_count_ = 0, polygon_count_ = 0, vertex_count_ = 0, stride_ = 4;
   Tally tally_;

@@ -4,8 +4,8 @@
 //
 // Sutherland-Hodgman's polygon has one run of outside vertices per plane, so a bit mask names the
 // edges to be met, and a list of numbers stands for the polygon: nothing is copied from plane to
-// plane. If rounding has made several runs, the plain version takes over. A triangle cut by one
-// plane has its order in a table.
+// plane. Vertices carry their distances (spaces/measured.hpp). If rounding has made several runs
+// all the same, the plain version takes over. A triangle cut by one plane has its order in a table.
 #if defined(CLIPSCOPE_BATCH_CUT_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_CUT_INL
 #undef CLIPSCOPE_BATCH_CUT_INL
@@ -62,6 +62,17 @@ HWY_INLINE void store(D d, hn::Vec<D> v, To* p) {
   }
 }
 
+// Eight floats in one register, where there is one.
+template <class D>
+HWY_INLINE void store_eight(D d, hn::Vec<D4> low, hn::Vec<D4> high, float* out) {
+  if constexpr (hn::MaxLanes(D()) == 8) {
+    hn::StoreU(hn::Combine(d, high, low), d, out);
+  } else {
+    hn::StoreU(low, kD4, out);
+    hn::StoreU(high, kD4, out + 4);
+  }
+}
+
 // Whether all coordinates and attributes of three vertices are finite, and so far from the largest
 // number that no difference or sum of two products with weights in [0, 1] overflows.
 template <class S, class V>
@@ -88,8 +99,24 @@ HWY_INLINE T distance(const ViewCodePlane& plane, const V* v) {
   return T(plane.own) * T(v[plane.axis]) + T(plane.z_weight) * T(v[2]) + T(plane.constant);
 }
 
+// The signed distances in T of a vertex to the planes whose bits are lane, lane + 1, …, with the
+// bits of `distance`.
+template <class D, class V>
+HWY_INLINE hn::Vec<D> distances(D d, const ClipLimits& limits, const V* v, std::size_t lane) {
+  const auto w = hn::Set(d, static_cast<hn::TFromD<D>>(v[3]));
+  return hn::Add(hn::Mul(load(d, limits.w_weight + lane), w),
+                 hn::Mul(load(d, limits.c_weight + lane), load(d, v + lane % 4)));
+}
+template <class D, class V>
+HWY_INLINE hn::Vec<D> distances(D d, const ViewLimits& limits, const V* v, std::size_t lane) {
+  const auto z = hn::Set(d, static_cast<hn::TFromD<D>>(v[2]));
+  const auto sum = hn::Add(hn::Mul(load(d, limits.own + lane), load(d, v + lane % 4)),
+                           hn::Mul(load(d, limits.z_weight + lane), z));
+  return hn::Add(sum, load(d, limits.constant + lane));
+}
+
 // A triangle that one plane cuts: the inside vertices in order, then the edge that leaves the
-// inside and the one that enters it, each from its inside end.
+// inside and the one that enters it, each by its end inside and its end outside.
 struct OnePlane {
   std::uint8_t first, second;  // inside; `second` counts only if there are two
   std::uint8_t inside;         // how many
@@ -113,16 +140,21 @@ HWY_INLINE void copy_vertex(const S& shape, const From* v, To* out) {
   }
 }
 
+// Floats that are whole vectors of d.
+template <class D>
+HWY_INLINE void copy_floats(D d, const float* from, std::size_t count, float* to) {
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    hn::StoreU(hn::LoadU(d, from + i), d, to + i);
+  }
+}
+
 // Three vertices that lie one after the other.
-template <class S, class V>
-HWY_INLINE void copy_triangle(const S& shape, const V* v, V* out) {
+template <class S>
+HWY_INLINE void copy_triangle(const S& shape, const float* v, float* out) {
   if constexpr (S::kLoadsInPlace) {
-    const LanesOf<V, S> d;
-    for (std::size_t i = 0; i < 3 * S::kWidth; i += hn::Lanes(d)) {
-      hn::StoreU(hn::LoadU(d, v + i), d, out + i);
-    }
+    copy_floats(LanesOf<float, S>(), v, 3 * S::kWidth, out);
   } else {
-    std::memcpy(out, v, 3 * shape.floats() * sizeof(V));
+    std::memcpy(out, v, 3 * shape.floats() * sizeof(float));
   }
 }
 
@@ -136,6 +168,32 @@ HWY_INLINE void meet(const S& shape, const From* a, const From* b, T t, To* out)
     store(d, hn::Add(va, hn::Mul(vt, hn::Sub(vb, va))), out + i);
   }
 }
+
+// Where an edge meets a plane: at `t` from the end nearer to it, with the bits of `from_nearer_end`
+// (spaces/cut.hpp). Pre-condition: d_in > 0 > d_out.
+template <class T>
+class EdgeCut {
+ public:
+  HWY_INLINE EdgeCut(T d_in, T d_out)
+      : d_in_(d_in), beyond_(-d_out), t_(std::min(d_in, -d_out) / (d_in - d_out)) {}
+
+  // Both ends are loaded and then blended: which is nearer can't be predicted, and pointers that
+  // wait for it would make the loads wait.
+  template <class D, class From, class To>
+  HWY_INLINE void meet(D d, std::size_t count, const From* in, const From* out, To* to) const {
+    const auto is_outside = hn::Lt(hn::Set(d, beyond_), hn::Set(d, d_in_));
+    const auto vt = hn::Set(d, t_);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+      const auto v_in = load(d, in + i), v_out = load(d, out + i);
+      const auto a = hn::IfThenElse(is_outside, v_out, v_in),
+                 b = hn::IfThenElse(is_outside, v_in, v_out);
+      store(d, hn::Add(a, hn::Mul(vt, hn::Sub(b, a))), to + i);
+    }
+  }
+
+ private:
+  T d_in_, beyond_, t_;
+};
 
 inline constexpr int kGiveUp = -1;
 
@@ -211,14 +269,6 @@ HWY_INLINE unsigned outside_mask(const T d[3]) {
          static_cast<unsigned>(d[2] < 0) << 2;
 }
 
-// A triangle that some planes cut: its vertices, whole vectors readable, and their codes.
-template <class V>
-struct Straddler {
-  const V* vertex[3];
-  unsigned code[3];
-  unsigned any;
-};
-
 // Sutherland-Hodgman in T, float or double, of vertices of V in a space with its limits and planes.
 // Both functions write the polygon to `out` and return how many vertices it has, or kGiveUp.
 template <class T, class S, class Limits, class Plane>
@@ -233,28 +283,30 @@ struct Chain {
                     distance<T>(plane, vertex[2])};
     if (d[0] == 0 || d[1] == 0 || d[2] == 0) return kGiveUp;  // a vertex on the plane
     const OnePlane& order = kOnePlane[outside_mask(d)];
-    const T leave = d[order.leave_in] / (d[order.leave_in] - d[order.leave_out]),
-            enter = d[order.enter_in] / (d[order.enter_in] - d[order.enter_out]);
+    const EdgeCut<T> leave(d[order.leave_in], d[order.leave_out]),
+        enter(d[order.enter_in], d[order.enter_out]);
+    const LanesOf<T, S> lanes;
     const std::size_t stride = shape.floats();
     copy_vertex(shape, vertex[order.first], out);
     copy_vertex(shape, vertex[order.second], out + stride);
     To* cut = out + order.inside * stride;
-    meet<T>(shape, vertex[order.leave_in], vertex[order.leave_out], leave, cut);
+    leave.meet(lanes, shape.width(), vertex[order.leave_in], vertex[order.leave_out], cut);
     const To w = cut[3];
-    meet<T>(shape, vertex[order.enter_in], vertex[order.enter_out], enter, cut + stride);
+    enter.meet(lanes, shape.width(), vertex[order.enter_in], vertex[order.enter_out], cut + stride);
     return w > 0 && cut[stride + 3] > 0 ? order.inside + 2 : kGiveUp;
   }
 
+  // any: the bits that some vertex has.
   template <class V, class To>
-  HWY_INLINE int cut_planes(const Straddler<V>& s, To* out) const {
+  HWY_INLINE int cut_planes(const V* const vertex[3], unsigned any, To* out) const {
     Pool pool;
     for (int i = 0; i < 3; ++i) {
-      load_vertex(s.vertex[i], pool.vertex[i]);
-      pool.code[i] = s.code[i];
+      load_vertex(vertex[i], pool.vertex[i]);
+      measure(vertex[i], pool.distance[i]);
     }
     List list = kTriangle;
     for (const Plane& plane : planes) {
-      if ((s.any >> plane.bit & 1) == 0) continue;
+      if ((any >> plane.bit & 1) == 0) continue;
       if (!cut(plane, pool, list)) return kGiveUp;
     }
     if (list.size < 3) return 0;
@@ -268,11 +320,13 @@ struct Chain {
   }
 
  private:
+  // Distances have their planes' bits as places.
   struct Pool {
     HWY_ALIGN T vertex[3 + 2 * kPlanes][S::kWidth];
-    unsigned code[3 + 2 * kPlanes];
+    HWY_ALIGN T distance[3 + 2 * kPlanes][8];
     int size = 3;
   };
+  using D = hn::CappedTag<T, 4>;
 
   template <class V>
   HWY_INLINE void load_vertex(const V* v, T* out) const {
@@ -282,10 +336,20 @@ struct Chain {
     }
   }
 
+  template <class V>
+  HWY_INLINE void measure(const V* v, T* out) const {
+    const D d;
+    for (std::size_t i = 0; i < 8; i += hn::Lanes(d)) {
+      hn::Store(distances(d, limits, v, i), d, out + i);
+    }
+  }
+
   // Whether the outside vertices were one run.
   bool cut(const Plane& plane, Pool& pool, List& list) const {
     unsigned outside = 0;
-    for_each_place(list, [&](int i) { outside |= (pool.code[list.at(i)] >> plane.bit & 1) << i; });
+    for_each_place(list, [&](int i) {
+      outside |= static_cast<unsigned>(pool.distance[list.at(i)][plane.bit] < 0) << i;
+    });
     outside &= (1u << list.size) - 1;
     return cut_list(outside, list, [&](const Crossing& c, List& r) {
       add_cut(plane, list.at(c.last_in), list.at(c.first_out), pool, r);
@@ -295,12 +359,12 @@ struct Chain {
 
   // The edge's meeting with the plane, unless its inside end lies on it.
   HWY_NOINLINE void add_cut(const Plane& plane, int in, int out, Pool& pool, List& list) const {
-    const T d_in = distance<T>(plane, pool.vertex[in]);
+    const T d_in = pool.distance[in][plane.bit];
     if (d_in == 0) return;
-    const T d_out = distance<T>(plane, pool.vertex[out]);
-    meet<T>(shape, pool.vertex[in], pool.vertex[out], d_in / (d_in - d_out),
-            pool.vertex[pool.size]);
-    pool.code[pool.size] = vertex_code(limits, pool.vertex[pool.size]);
+    const EdgeCut<T> cut(d_in, pool.distance[out][plane.bit]);
+    cut.meet(LanesOf<T, S>(), shape.width(), pool.vertex[in], pool.vertex[out],
+             pool.vertex[pool.size]);
+    cut.meet(D(), 8, pool.distance[in], pool.distance[out], pool.distance[pool.size]);
     list.add(pool.size++);
   }
 };

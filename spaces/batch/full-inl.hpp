@@ -79,14 +79,14 @@ class FullClipper {
  public:
   FullClipper(const Projection<float>& projection, int attributes)
       : projection_(projection),
-        cutter_(make_cutter(projection, attributes)),
+        straddlers_(make_straddlers(projection, attributes)),
         lanes_(plain::projection_in<V>(projection)) {}
 
-  void operator()(const ViewVertexArray& in, Output& out) const {
+  void operator()(const ViewVertexArray& in, Output& out) {
     const OutputAccess access{out};
     access.begin(in.attributes);
     Block memory;
-    const S& shape = cutter_.shape;
+    const S& shape = straddlers_.shape;
     const std::size_t stride = shape.floats(), from = stride - 1, triangles = in.count / 3;
     for (std::size_t first = 0; first < triangles; first += kBlock) {
       const std::size_t count = std::min(kBlock, triangles - first);
@@ -94,7 +94,7 @@ class FullClipper {
       for (std::size_t v = 0; v < 3 * count; ++v) {
         bring(block + v * from, memory.vertices + v * stride);
       }
-      classify_block(cutter_.limits, memory.vertices, stride, count, memory.survivors);
+      classify_block(straddlers_.limits, memory.vertices, stride, count, memory.survivors);
       clip_survivors(block, first, count, memory, access);
     }
   }
@@ -104,11 +104,10 @@ class FullClipper {
   struct Block {
     HWY_ALIGN V vertices[kBlock * 3 * S::kMostFloats + kSlack];
     HWY_ALIGN V polygon[kMostVertices * S::kMostFloats + kSlack];
-    Padded<S, V> padded;
     Survivors survivors;
   };
 
-  static Cutter<M, K, V> make_cutter(const Projection<float>& projection, int attributes) {
+  static Straddlers<M, K, V> make_straddlers(const Projection<float>& projection, int attributes) {
     if constexpr (kIsView<M>) {
       return {projection.frustum, attributes};
     } else {
@@ -119,7 +118,7 @@ class FullClipper {
   // A view-space vertex into the space where it is cut: (x, y, z, 1) or clip space. Without
   // attributes there is no fourth float behind the last vertex.
   HWY_INLINE void bring(const float* v, V* out) const {
-    const std::size_t attributes = cutter_.shape.floats() - 4;
+    const std::size_t attributes = straddlers_.shape.floats() - 4;
     HWY_ALIGN float position[4];
     if (attributes == 0) {
       std::memcpy(position, v, 3 * sizeof(float));
@@ -142,23 +141,25 @@ class FullClipper {
   }
 
   HWY_INLINE void clip_survivors(const float* block, std::size_t first, std::size_t count,
-                                 Block& memory, const OutputAccess& access) const {
-    const S& shape = cutter_.shape;
+                                 Block& memory, const OutputAccess& access) {
+    const S& shape = straddlers_.shape;
     const std::size_t stride = shape.floats();
     const Survivors& survivors = memory.survivors;
     Writer writer = access.block(survivors.count);
     Tally& tally = access.tally();
     tally.rejected += count - survivors.count;
+    straddlers_.begin(survivors);
+    const auto at = [&](std::size_t i, int v) {
+      return memory.vertices + (3 * survivors.triangle[i] + static_cast<std::size_t>(v)) * stride;
+    };
     for (std::size_t i = 0; i < survivors.count; ++i) {
       const std::size_t t = survivors.triangle[i];
-      const V* v = memory.vertices + 3 * t * stride;
       int vertices = 3;
       if (survivors.any[i] == 0) {
         ++tally.inside;
-        vertices = finish(v, 3, writer.next);
+        vertices = finish(at(i, 0), 3, writer.next);
       } else {
-        memory.padded.set(shape, v, v + stride, v + 2 * stride);
-        vertices = cutter_.cut(memory.padded.vertex, survivors.any[i], memory.polygon, tally);
+        vertices = straddlers_.cut(survivors, i, at, memory.polygon, tally);
         if (vertices != kGiveUp) vertices = finish(memory.polygon, vertices, writer.next);
       }
       if (vertices == kGiveUp) {
@@ -173,10 +174,10 @@ class FullClipper {
   // Vertices of the space of the cut to NDC, rounded to float; how many, or kGiveUp where something
   // is not finite.
   HWY_INLINE int finish(const V* v, int count, float* out) const {
-    const std::size_t stride = cutter_.shape.floats();
+    const std::size_t stride = straddlers_.shape.floats();
     bool finite = true;
     for (int i = 0; i < count; ++i, v += stride, out += stride) {
-      copy_vertex(cutter_.shape, v, out);
+      copy_vertex(straddlers_.shape, v, out);
       if constexpr (kIsView<M>) {
         HWY_ALIGN float position[4];
         lanes_.project(v, position);
@@ -189,7 +190,7 @@ class FullClipper {
   }
 
   const Projection<float>& projection_;
-  const Cutter<M, K, V> cutter_;
+  Straddlers<M, K, V> straddlers_;
   const ProjectionLanes<V> lanes_;
 };
 

@@ -96,24 +96,20 @@ class FullRoundedClipper {
     }
   }
 
-  void operator()(const ViewVertexArray& in, Output& out) const {
+  void operator()(const ViewVertexArray& in, Output& out) {
     const OutputAccess access{out};
     access.begin(in.attributes);
     const std::size_t triangles = in.count / 3;
     for (std::size_t first = 0; first < triangles; first += kBlock) {
       const std::size_t count = std::min(kBlock, triangles - first);
-      Writer writer = access.block(count);
-      for (std::size_t t = first; t < first + count; ++t) {
-        clip(in.data + 3 * t * stride_in(), t, writer, access.tally());
-      }
-      access.commit(writer);
+      clip_block(in.data + 3 * first * stride_in(), first, count, access);
     }
   }
 
  private:
   using D = hn::CappedTag<double, 4>;
 
-  using CornersInOrder = Corners<true, true>;
+  using Lanes = CornerLanes<true, float, ViewCodePlane>;
   using Fixed = barycentric::PlaneForm;  // the coordinate that a plane fixes in NDC
 
   // A vertex in clip space, and the magnitudes m of the lemma; w last.
@@ -124,49 +120,86 @@ class FullRoundedClipper {
   std::size_t stride_in() const { return 3 + attributes_; }
   std::size_t stride_out() const { return 4 + attributes_; }
 
-  HWY_INLINE void clip(const float* triangle, std::size_t number, Writer& writer,
-                       Tally& tally) const {
-    HWY_ALIGN float memory[3][4] = {};
-    const float* vertex[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-      vertex[i] = triangle + i * stride_in();
-      if (attributes_ == 0) {  // there is no fourth float behind the last vertex
-        std::memcpy(memory[i], vertex[i], 3 * sizeof(float));
-        vertex[i] = memory[i];
+  // Triangles from number `first` on.
+  HWY_INLINE void clip_block(const float* triangles, std::size_t first, std::size_t count,
+                             const OutputAccess& access) {
+    const float* const vertices = readable(triangles, count);
+    classify(vertices, count);
+    Writer writer = access.block(survivors_.count);
+    access.tally().rejected += count - survivors_.count;
+    queue_.begin(Cuts(survivors_).other);
+    for (std::size_t i = 0; i < survivors_.count; ++i) {
+      const std::size_t t = survivors_.triangle[i];
+      int size = clip_in_double(vertices, i, writer.next);
+      const unsigned any = survivors_.any[i];
+      Tally& tally = access.tally();
+      ++(size == kGiveUp     ? tally.plain
+         : any == 0          ? tally.inside
+         : is_one_plane(any) ? tally.one_plane
+                             : tally.planes);
+      if (size == kGiveUp) {
+        size = plain::cut_full(kMethod<M>, projection_, static_cast<int>(attributes_),
+                               triangles + 3 * t * stride_in(), writer.next);
       }
+      writer.add(first + t, size);
     }
-    const unsigned a = sides_.code(vertex[0]), b = sides_.code(vertex[1]),
-                   c = sides_.code(vertex[2]), any = a | b | c;
-    if ((a & b & c) != 0) {
-      ++tally.rejected;
-      return;
-    }
-    const bool one = (any & (any - 1)) == 0;
-    int count = clip_in_double(vertex, any, writer.next);
-    ++(count == kGiveUp ? tally.plain
-       : any == 0       ? tally.inside
-       : one            ? tally.one_plane
-                        : tally.planes);
-    if (count == kGiveUp) {
-      count = plain::cut_full(kMethod<M>, projection_, static_cast<int>(attributes_), triangle,
-                              writer.next);
-    }
-    writer.add(number, count);
+    access.commit(writer);
   }
 
-  HWY_INLINE int clip_in_double(const float* const vertex[3], unsigned any, float* out) const {
-    Point points[3];
-    for (int i = 0; i < 3; ++i) {
-      lanes_.project(vertex[i], points[i].clip, points[i].magnitude);
-      if (!is_finite(points[i])) return kGiveUp;
+  // The triangles so that four floats of each vertex may be read.
+  HWY_INLINE const float* readable(const float* triangles, std::size_t count) {
+    if (attributes_ != 0) return triangles;
+    for (std::size_t v = 0; v < 3 * count; ++v) {
+      std::memcpy(positions_[v], triangles + 3 * v, 3 * sizeof(float));
     }
-    if ((any & (any - 1)) != 0) return cut_planes(vertex, points, any, out);
-    if (any != 0) return cut(vertex, points, by_bit_[std::countr_zero(any)], out);
+    return positions_[0];
+  }
+  const float* vertex(const float* vertices, std::size_t t, int v) const {
+    return vertices + (3 * t + static_cast<std::size_t>(v)) * std::max<std::size_t>(4, stride_in());
+  }
+
+  HWY_INLINE void classify(const float* vertices, std::size_t count) {
+    survivors_.count = 0;
+    for (std::size_t t = 0; t < count; ++t) {
+      const unsigned a = sides_.code(vertex(vertices, t, 0)),
+                     b = sides_.code(vertex(vertices, t, 1)),
+                     c = sides_.code(vertex(vertices, t, 2));
+      survivors_.add(t, {a & b & c, a | b | c});
+    }
+  }
+
+  // Survivor i.
+  HWY_INLINE int clip_in_double(const float* vertices, std::size_t i, float* out) {
+    const auto at = [&](std::size_t survivor, int v) {
+      return vertex(vertices, survivors_.triangle[survivor], v);
+    };
+    const float* const own[3] = {at(i, 0), at(i, 1), at(i, 2)};
+    const unsigned any = survivors_.any[i];
+    Point points[3];
+    bool finite = true;
+    for (int v = 0; v < 3; ++v) {
+      lanes_.project(own[v], points[v].clip, points[v].magnitude);
+      finite = finite && is_finite(points[v]);
+    }
+    if (any != 0 && !is_one_plane(any)) {
+      const std::size_t lane = next_lane(at);
+      return finite ? cut_planes(own, points, lane, out) : kGiveUp;
+    }
+    if (!finite) return kGiveUp;
+    if (any != 0) return cut(own, points, by_bit_[std::countr_zero(any)], out);
     bool certain = true;
-    for (int i = 0; i < 3; ++i) {
-      certain = write_own(vertex[i], points[i], out + i * stride_out()) && certain;
+    for (int v = 0; v < 3; ++v) {
+      certain = write_own(own[v], points[v], out + v * stride_out()) && certain;
     }
     return certain ? 3 : kGiveUp;
+  }
+
+  template <class At>
+  HWY_INLINE std::size_t next_lane(At& at) {
+    return queue_.next([&](std::span<const std::size_t> members) {
+      corners_.cut(planes_, members.size(),
+                   [&](std::size_t in, int v) { return at(members[in], v); });
+    });
   }
 
   // Finite floats give numbers far below this, times an entry of the matrix.
@@ -204,28 +237,25 @@ class FullRoundedClipper {
     return certain ? order.size : kGiveUp;
   }
 
-  HWY_NOINLINE int cut_planes(const float* const vertex[3], const Point* points, unsigned any,
+  // A triangle in a lane.
+  HWY_NOINLINE int cut_planes(const float* const vertex[3], const Point* points, std::size_t lane,
                               float* out) const {
-    CornersInOrder corners;
-    if (!corners.cut(planes_, Straddler<float>{{vertex[0], vertex[1], vertex[2]}, {}, any})) {
-      return kGiveUp;
-    }
-    const List& list = corners.list();
-    if (list.size < 3) return 0;
+    if (!corners_.is_certain(lane)) return kGiveUp;
+    const int size = corners_.size(lane);
     bool certain = true;
-    for (int i = 0; i < list.size; ++i, out += stride_out()) {
-      const int number = list.at(i);
-      certain = certain && (number < 3 ? write_own(vertex[number], points[number], out)
-                                       : write_corner(corners[number], vertex, points, out));
+    for (int i = 0; i < size; ++i, out += stride_out()) {
+      const int own = corners_.own(lane, i);
+      certain = certain && (own >= 0 ? write_own(vertex[own], points[own], out)
+                                     : write_corner(corners_.corner(lane, i), vertex, points, out));
     }
-    return certain ? list.size : kGiveUp;
+    return certain ? size : kGiveUp;
   }
 
-  HWY_INLINE bool write_corner(const CornersInOrder::Corner& c, const float* const vertex[3],
+  HWY_INLINE bool write_corner(const typename Lanes::Corner& c, const float* const vertex[3],
                                const Point* points, float* out) const {
     const int low = std::min(c.from, c.to), high = std::max(c.from, c.to);
     if (low < 3) {
-      const int a = kEnds[low][0], b = kEnds[low][1];
+      const int a = low == 0 ? 1 : 0, b = low == 2 ? 1 : 2;
       return write_mean(c.lambda[a], vertex[a], points[a], c.lambda[b], vertex[b], points[b],
                         fixed_of(high), out);
     }
@@ -328,7 +358,7 @@ class FullRoundedClipper {
   const Fixed& fixed_of(int line) const { return fixed_[static_cast<std::size_t>(line - 3)]; }
 
   // The position of a point of the triangle on two planes.
-  HWY_INLINE bool write_meeting(const CornersInOrder::Corner& c, const Point* points,
+  HWY_INLINE bool write_meeting(const typename Lanes::Corner& c, const Point* points,
                                 const Fixed& first, const Fixed& second, float* out) const {
     constexpr double u = 0x1p-53;
     const auto sum = [&](const double* weights, auto of) {
@@ -353,7 +383,7 @@ class FullRoundedClipper {
     return certain;
   }
 
-  HWY_INLINE bool write_meeting_attributes(const CornersInOrder::Corner& c,
+  HWY_INLINE bool write_meeting_attributes(const typename Lanes::Corner& c,
                                            const float* const vertex[3], float* out) const {
     const double total = c.lambda[0] + c.lambda[1] + c.lambda[2],
                  total_error = 10 * 0x1p-53 * (c.magnitude[0] + c.magnitude[1] + c.magnitude[2]);
@@ -385,6 +415,10 @@ class FullRoundedClipper {
   const ProjectionLanes<double> lanes_;
   std::array<Fixed, kPlanes> fixed_{};   // by the place in `planes_`
   std::array<std::size_t, 8> by_bit_{};  // places in `planes_`
+  Survivors survivors_;                  // of a block
+  Lanes corners_;
+  LaneQueue<Lanes::kLanes> queue_;
+  float positions_[3 * kBlock][4] = {};  // without attributes
 };
 
 }  // namespace clipscope::batch::HWY_NAMESPACE

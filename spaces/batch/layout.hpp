@@ -16,10 +16,8 @@ namespace clipscope::batch {
 // Triangles are classified, then cut, in blocks: what some blocks read and write stays in cache.
 inline constexpr std::size_t kBlock = 256;
 
-// From so many blocks triangles are read in turn: to several streams memory delivers more than to
-// one.
-inline constexpr std::size_t kBlocksAtOnce = 4;
-inline constexpr std::size_t kGroup = kBlocksAtOnce * kBlock;
+// Where triangles inside are not copied blocks are larger, so that lanes fill up with straddlers.
+inline constexpr std::size_t kMostBlock = 1024;
 
 // Room that is kept free behind the last vertex, since whole vectors are stored.
 inline constexpr std::size_t kSlack = 64;
@@ -41,6 +39,19 @@ struct Writer {
     next += static_cast<std::size_t>(vertices) * stride;
     end += static_cast<std::uint32_t>(vertices);
     *polygons++ = {static_cast<std::uint32_t>(triangle), end};
+  }
+  // Notes so many triangles whose vertices were written to `next`; number(i): that of the i-th.
+  template <class F>
+  void add_triangles(std::size_t count, F&& number) {
+    PolygonEnd* const to = polygons;
+    const std::uint32_t begin = end;
+    for (std::size_t i = 0; i < count; ++i) {
+      to[i] = {static_cast<std::uint32_t>(number(i)),
+               begin + 3 * static_cast<std::uint32_t>(i + 1)};
+    }
+    polygons += count;
+    end += 3 * static_cast<std::uint32_t>(count);
+    next += 3 * count * stride;
   }
 };
 
@@ -76,7 +87,7 @@ struct OutputAccess {
  private:
   // Doubles the size, so that growing is rare.
   template <class V>
-  static void grow(std::vector<V>& v, std::size_t size) {
+  static void grow(V& v, std::size_t size) {
     if (v.size() < size) v.resize(std::max(size, 2 * v.size()));
   }
 };

@@ -16,43 +16,44 @@
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
 
-// f(i) for each i below count, one of each part in turn.
+// f(i) for each i below count, one of each part in turn: to several streams memory delivers more
+// than to one.
 template <class F>
 HWY_INLINE void for_parts_in_turn(std::size_t count, F&& f) {
-  const std::size_t part = count / kBlocksAtOnce, parts = kBlocksAtOnce * part;
+  constexpr std::size_t kParts = 4;
+  const std::size_t part = count / kParts, parts = kParts * part;
   for (std::size_t i = 0; i < part; ++i) {
-    for (std::size_t p = 0; p < kBlocksAtOnce; ++p) f(p * part + i);
+    for (std::size_t p = 0; p < kParts; ++p) f(p * part + i);
   }
   for (std::size_t i = parts; i < count; ++i) f(i);
 }
 
-// Codes of as many vertices as kD8 has lanes, with their complements. Each comparison that a vertex
-// passes turns its bit off and that of the complement on: it adds the difference.
+// Codes of as many vertices as kD16 has lanes, with their complements. Each comparison that a
+// vertex passes turns its bit off and that of the complement on: it adds the difference.
 HWY_INLINE void classify_positions(const ClipLimits& limits, const float* v, std::size_t stride,
                                    std::uint16_t* codes) {
-  const hn::RebindToUnsigned<D8> du;
-  const auto p = load_positions(kD8, v, stride);
-  hn::Mask<D8> inside[kPlanes];
-  planes_inside(kD8, limits, p, inside);
-  const auto turned = [&](hn::Mask<D8> passes, int bit) {
-    return hn::IfThenElseZero(hn::RebindMask(du, passes), hn::Set(du, 0xFFu << bit));
-  };
+  const hn::RebindToUnsigned<D16> du;
+  const Positions<D16> p = load_positions(kD16, v, stride);
   auto sum = hn::Set(du, 0xFF);
-  for (int i = 0; i < kPlanes; ++i) sum = hn::Add(sum, turned(inside[i], kPlaneBit[i]));
-  sum = hn::Add(sum, turned(hn::Le(p.w, hn::Set(kD8, kLargest)), 3));
-  sum = hn::Add(sum, turned(hn::Gt(p.w, hn::Zero(kD8)), 7));
-  const hn::Rebind<std::uint16_t, D8> d16;
-  hn::StoreU(hn::DemoteTo(d16, hn::BitCast(hn::RebindToSigned<D8>(), sum)), d16, codes);
+  const auto turn = [&](hn::Mask<D16> passes, int bit) {
+    sum = hn::Add(sum, hn::IfThenElseZero(hn::RebindMask(du, passes), hn::Set(du, 0xFFu << bit)));
+  };
+  for_each_plane(kD16, limits, [&](int bit, auto is_inside) { turn(is_inside(p), bit); });
+  turn(hn::Le(p.w, hn::Set(kD16, kLargest)), 3);
+  turn(hn::Gt(p.w, hn::Zero(kD16)), 7);
+  const hn::Rebind<std::uint16_t, D16> d16;
+  hn::StoreU(hn::DemoteTo(d16, hn::BitCast(hn::RebindToSigned<D16>(), sum)), d16, codes);
 }
 
 // Codes of all vertices of a mesh, with their complements.
 HWY_INLINE void classify_vertices(const ClipLimits& limits, const VertexArray& in,
                                   std::size_t stride, std::uint16_t* codes) {
-  const std::size_t at_once = hn::Lanes(kD8), whole = in.count / at_once;
+  const ClipLimits own = limits;  // no store can be taken for one to them
+  const std::size_t at_once = kMostLanes, whole = in.count / at_once;
   for_parts_in_turn(whole, [&, first = in.data](std::size_t i) {
     const float* const v = first + i * at_once * stride;
     prefetch_ahead(v, at_once * stride * sizeof(float));
-    classify_positions(limits, v, stride, codes + i * at_once);
+    classify_positions(own, v, stride, codes + i * at_once);
   });
   for (std::size_t i = whole * at_once; i < in.count; ++i) {
     codes[i] = with_complement(vertex_code(limits, in.data + i * stride));
@@ -126,7 +127,7 @@ class MeshBlock {
     out[1] = static_cast<std::uint16_t>(second(b) | first(c) | second(c));
   }
 
-  std::uint16_t codes_[kBlock + kRun];
+  std::uint16_t codes_[kMostBlock + kRun];
 };
 
 }  // namespace clipscope::batch::HWY_NAMESPACE

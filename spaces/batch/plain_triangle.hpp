@@ -25,16 +25,17 @@ ClipPolygon<float, K> cut_in_double(const ClipVolume& volume,
     return clip_outcode(volume.depth, triangle[i].position);
   });
   if (code.all != 0 || is_beyond_open_side(volume, triangle)) return {};
-  ClipPolygon<double, K> polygon, scratch;
-  for (const ClipVertex<float, K>& v : triangle) polygon.push_back(vertex_cast<double>(v));
+  ClipTriangle<double, K> wide;
+  for (std::size_t i = 0; i < 3; ++i) wide[i] = vertex_cast<double>(triangle[i]);
   ClipPolygon<float, K> out;
   bool finite = true;
-  for (const ClipVertex<double, K>& v :
-       HomogeneousSutherlandHodgman::cut(volume, code.any, polygon, scratch)) {
-    if (!(0 < v.position[3])) continue;
-    out.push_back(vertex_cast<float>(v));
-    finite = finite && has_finite_position(out[out.size() - 1]);
-  }
+  HomogeneousSutherlandHodgman::cut_and_then(volume, code.any, wide, [&](const auto& rest) {
+    for (const ClipVertex<double, K>& v : rest) {
+      if (!(0 < v.position[3])) continue;
+      out.push_back(vertex_cast<float>(v));
+      finite = finite && has_finite_position(out[out.size() - 1]);
+    }
+  });
   if (!finite) out.clear();
   out.drop_if_degenerate();
   return out;

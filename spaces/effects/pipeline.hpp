@@ -158,27 +158,22 @@ template <int kCarried, Scalar T, int K>
 constexpr void cut_triangle(DepthRange depth, Outcode planes,
                             const std::array<Vec4<T>, 3>& positions,
                             const ViewTriangle<T, K>& triangle, NdcPolygon<T, K>& out) {
-  ClipPolygon<T, kCarried> polygon, scratch;
+  ClipTriangle<T, kCarried> carried{};
   for (std::size_t i = 0; i < 3; ++i) {
-    ClipVertex<T, kCarried> r{positions[i], {}};
-    if constexpr (kCarried == K) r.attributes = triangle[i].attributes;
-    if (!has_finite_position(r)) return;
-    polygon.push_back(r);
+    carried[i].position = positions[i];
+    if constexpr (kCarried == K) carried[i].attributes = triangle[i].attributes;
   }
-  const ClipPolygon<T, kCarried>& rest =
-      cut_by_planes(polygon, scratch, planes, kPlaneOrder<PlaneOrder::near_first>,
-                    [depth](Plane plane, const ClipVertex<T, kCarried>& v) {
-                      return clip_distance(depth, plane, v.position);
-                    });
-  if constexpr (kCarried == K) {
-    divide(rest, out);
-  } else {
-    for (const ClipVertex<T, kCarried>& v : rest) {
-      if (T(0) < v.position[3]) out.push_back({to_ndc(v.position), triangle[0].attributes});
+  HomogeneousSutherlandHodgman::cut_and_then({depth}, planes, carried, [&](const auto& rest) {
+    if constexpr (kCarried == K) {
+      divide(rest, out);
+    } else {
+      for (const ClipVertex<T, kCarried>& v : rest) {
+        if (T(0) < v.position[3]) out.push_back({to_ndc(v.position), triangle[0].attributes});
+      }
+      out.drop_if_degenerate();
+      clear_if_overflowed(out);
     }
-    out.drop_if_degenerate();
-    clear_if_overflowed(out);
-  }
+  });
 }
 
 template <Composition kC, Scalar T, int K>

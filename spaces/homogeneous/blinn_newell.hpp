@@ -4,18 +4,16 @@
 //
 // Each vertex carries its signed distances to all planes, its boundary coordinates. Their signs
 // accept and reject; a new vertex gets its boundary coordinates by the same interpolation as its
-// position, so that nothing is ever computed from a rounded position.
+// position, from the inside end, so that nothing is ever computed from a rounded position.
 // Source: Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978.
-// Guarantees: the vertices on an edge depend on that edge alone, bit for bit: a boundary coordinate
-// interpolated between two that are >= 0 is >= 0 (rounding is monotone), so a plane that the ends
-// of an edge are inside of never touches what lies between them, whichever planes the neighbour is
-// cut by. Does not guarantee: the exact vertex count where a vertex comes within rounding of a
-// plane.
+// Guarantees: the vertices on an edge depend on that edge alone, bit for bit (measured.hpp).
+// Does not guarantee: the exact vertex count where a vertex comes within rounding of a plane.
 #pragma once
 
 #include "spaces/clipper.hpp"
 #include "spaces/cut.hpp"
 #include "spaces/homogeneous/divide.hpp"
+#include "spaces/measured.hpp"
 #include "spaces/planes.hpp"
 
 namespace clipscope {
@@ -46,61 +44,40 @@ struct BlinnNewell : StartsInClipSpace<BlinnNewell> {
 
  private:
   template <Scalar T, int K>
-  struct BoundedVertex : ClipVertex<T, K> {
-    std::array<T, kMaxPlanes> boundary;
-    int planes = kPlanes;
-  };
-  template <Scalar T, int K>
-  using BoundedPolygon = VertexList<BoundedVertex<T, K>>;
+  using Bounded = MeasuredVertex<Space::clip, T, K>;
 
   // f(rest): what is left of a triangle that isn't rejected.
   template <Scalar T, int K, class F>
   static constexpr void cut_and_then(const ClipVolume& volume, const ClipTriangle<T, K>& triangle,
                                      F&& f) {
     if (!has_finite_positions(triangle)) return;
-    std::array<BoundedVertex<T, K>, 3> vertices;
-    for (std::size_t i = 0; i < 3; ++i) vertices[i] = bounded(volume, triangle[i]);
-    const OutcodeSummary code =
-        summarize_outcodes(volume, triangle, [&](std::size_t i) { return outcode(vertices[i]); });
+    MeasuredPolygon<Space::clip, T, K> polygon, scratch;
+    for (const ClipVertex<T, K>& v : triangle) polygon.push_back(measured(volume.depth, v));
+    const OutcodeSummary code = summarize_outcodes(
+        volume, triangle, [&](std::size_t i) { return outcode(polygon[static_cast<int>(i)]); });
     if (code.all != 0) return;
-    BoundedPolygon<T, K> polygon, scratch;
-    polygon.assign(vertices);
-    f(cut_by_planes(
-        polygon, scratch, code.any, kAllPlanes,
-        [](Plane plane, const BoundedVertex<T, K>& v) {
-          return v.boundary[static_cast<std::size_t>(plane)];
-        },
-        meet<T, K>));
+    f(step_by_planes(
+        polygon, scratch, code.any, kAllPlanes, [](Plane plane, const auto& in, auto& out) {
+          cut_by_distances(
+              in, out, [plane](const Bounded<T, K>& v) { return carried_distance(plane, v); },
+              meet<T, K>);
+        }));
   }
 
   template <Scalar T, int K>
-  static constexpr BoundedVertex<T, K> bounded(const ClipVolume& volume,
-                                               const ClipVertex<T, K>& v) {
-    BoundedVertex<T, K> r{v, {}, kPlanes + volume.clip_distances};
-    for (int p = 0; p < r.planes; ++p) {
-      r.boundary[static_cast<std::size_t>(p)] =
-          signed_distance(volume.depth, static_cast<Plane>(p), v);
-    }
-    return r;
-  }
-
-  template <Scalar T, int K>
-  static constexpr Outcode outcode(const BoundedVertex<T, K>& v) {
+  static constexpr Outcode outcode(const Bounded<T, K>& v) {
     Outcode code = 0;
     for (const Plane plane : kAllPlanes) {
-      if (!(T(0) <= v.boundary[static_cast<std::size_t>(plane)])) code |= bit(plane);
+      if (!(T(0) <= carried_distance(plane, v))) code |= bit(plane);
     }
     return code;
   }
 
   template <Scalar T, int K>
-  static constexpr BoundedVertex<T, K> meet(const BoundedVertex<T, K>& inside,
-                                            const BoundedVertex<T, K>& outside, const T& t) {
-    BoundedVertex<T, K> r{interpolate(inside, outside, t), {}, inside.planes};
-    for (std::size_t p = 0; p < static_cast<std::size_t>(r.planes); ++p) {
-      r.boundary[p] = inside.boundary[p] + t * (outside.boundary[p] - inside.boundary[p]);
-    }
-    return r;
+  static constexpr Bounded<T, K> meet(const Bounded<T, K>& inside, const Bounded<T, K>& outside,
+                                      const T& d_inside, const T& d_outside) {
+    const T t = cut_parameter(d_inside, d_outside);
+    return interpolate(inside, outside, t);
   }
 };
 

@@ -20,11 +20,11 @@ constexpr void divide(const Vertices& in, NdcPolygon<T, K>& out) {
   clear_if_overflowed(out);
 }
 
-// What `divide` takes of a list, before it divides: the vertices with w > 0. Nothing if they are
-// fewer than three or one is not finite.
-template <Scalar T, int K, class Vertices>
-constexpr ClipPolygon<T, K> divisible(const Vertices& in) {
-  ClipPolygon<T, K> out;
+// Writes to `out` what `divide` takes of a list, before it divides: the vertices with w > 0.
+// Nothing if they are fewer than three or one is not finite.
+template <class Vertices, Scalar T, int K>
+constexpr void take_divisible(const Vertices& in, ClipPolygon<T, K>& out) {
+  out.clear();
   bool finite = true;
   for (const ClipVertex<T, K>& v : in) {
     if (!(T(0) < v.position[3])) continue;
@@ -33,6 +33,12 @@ constexpr ClipPolygon<T, K> divisible(const Vertices& in) {
   }
   if (!finite) out.clear();
   out.drop_if_degenerate();
+}
+
+template <Scalar T, int K, class Vertices>
+constexpr ClipPolygon<T, K> divisible(const Vertices& in) {
+  ClipPolygon<T, K> out;
+  take_divisible(in, out);
   return out;
 }
 

@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: MIT
 //
-// Sutherland-Hodgman in clip space with new vertices interpolated as production code does it, in
-// three variants. With d_in > 0 > d_out at the ends of an edge:
+// Sutherland-Hodgman in clip space with new vertices interpolated as textbooks and production code
+// do it, in three variants. With d_in > 0 > d_out at the ends of an edge:
 //
+//   homogeneous/from_inside    in + t (out - in), t = d_in / (d_in - d_out)
 //   homogeneous/from_outside   out + t (in - out), t = d_out / (d_out - d_in): Mesa's draw module
 //   homogeneous/weighted_ends  d_out / (d_out - d_in) in + d_in / (d_in - d_out) out: SwiftShader
-//   homogeneous/nearer_end     from the end nearer to the plane: near it both t and what t is
-//                              multiplied by are small, and hence what they add to the rounding
-//                              of that end: S2 Geometry, Manifold
 //
-// Source: Whitwell, draw_pipe_clip.c of Mesa (interp, do_clip_tri), 2007; SwiftShader, Clipper.cpp
-// (clipEdge); S2 Geometry, s2edge_clipping.h (InterpolateDouble), which carries a proof that the
-// error is 2.25 DBL_EPSILON at most; the same in Manifold's boolean operations (Interpolate).
+// Distances of new vertices are those of their rounded positions, as everywhere there. What
+// homogeneous/sutherland_hodgman does instead: it takes the nearer of the two ends (cut.hpp), and
+// carries distances (measured.hpp).
+// Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974; Whitwell,
+// draw_pipe_clip.c of Mesa (interp, do_clip_tri), 2007; SwiftShader, Clipper.cpp (clipEdge).
 // Left out of Mesa's: a vertex on the plane makes a second copy of itself there. Added to
 // SwiftShader's, which interpolates positions alone: attributes are in + t (out - in) with
 // t = d_in / (d_in - d_out), so that constants remain. SwiftShader multiplies both ends by
 // distances and then by one reciprocal; products of two coordinates overflow at 2^64, and so does
 // the reciprocal of a subnormal number, so here each weight is a quotient of its own.
-// Does not guarantee: what homogeneous/sutherland_hodgman does not.
+// Does not guarantee: what homogeneous/sutherland_hodgman does not; equal bits on a shared edge of
+// neighbours that are cut by different planes.
 #pragma once
 
 #include "spaces/homogeneous/by_outcodes.hpp"
 
 namespace clipscope {
 
-enum class NewVertex { from_outside, weighted_ends, nearer_end };
+enum class NewVertex { from_inside, from_outside, weighted_ends };
 
 template <NewVertex kNewVertex>
 struct HomogeneousInterpolating : CutsByOutcodes<HomogeneousInterpolating<kNewVertex>> {
@@ -34,7 +35,7 @@ struct HomogeneousInterpolating : CutsByOutcodes<HomogeneousInterpolating<kNewVe
     switch (kNewVertex) {
       case NewVertex::from_outside: return "homogeneous/from_outside";
       case NewVertex::weighted_ends: return "homogeneous/weighted_ends";
-      default: return "homogeneous/nearer_end";
+      default: return "homogeneous/from_inside";
     }
   }();
   static constexpr std::string_view summary = [] {
@@ -43,19 +44,21 @@ struct HomogeneousInterpolating : CutsByOutcodes<HomogeneousInterpolating<kNewVe
         return "Sutherland-Hodgman in clip space, new vertices from the outside end, as Mesa";
       case NewVertex::weighted_ends:
         return "Sutherland-Hodgman in clip space, ends weighted by distances, as SwiftShader";
-      default: return "Sutherland-Hodgman in clip space, new vertices from the nearer end";
+      default: return "Sutherland-Hodgman in clip space, new vertices from the inside end";
     }
   }();
   static constexpr std::string_view source = [] {
     switch (kNewVertex) {
       case NewVertex::from_outside: return "Whitwell, Mesa: draw_pipe_clip.c, 2007";
       case NewVertex::weighted_ends: return "SwiftShader: Clipper.cpp, 2016";
-      default: return "S2 Geometry: s2edge_clipping.h, InterpolateDouble";
+      default: return "Sutherland and Hodgman, Reentrant Polygon Clipping, 1974";
     }
   }();
   // One cut, weighted: 2 for each of two products and distances, 1 for their difference, 3 for the
   // reciprocal and its product, which is less than the 14 of kChainUlps.
   static constexpr Promise promise{.ulps = kChainUlps, .scale_invariant = !kIsWeighted};
+
+  static constexpr bool kMeasures = false;
 
   using CutsByOutcodes<HomogeneousInterpolating>::cut;
 
@@ -83,14 +86,12 @@ struct HomogeneousInterpolating : CutsByOutcodes<HomogeneousInterpolating<kNewVe
                                          const T& d_outside) {
     if constexpr (kIsWeighted) {
       return weighted(inside, outside, d_inside, d_outside);
-    } else {
-      const T beyond = -d_outside;
-      if (kNewVertex == NewVertex::nearer_end && d_inside <= beyond) {
-        const T t = cut_parameter(d_inside, d_outside);
-        return interpolate(inside, outside, t);
-      }
-      const T t = cut_parameter(beyond, T(-d_inside));
+    } else if constexpr (kNewVertex == NewVertex::from_outside) {
+      const T t = cut_parameter(T(-d_outside), T(-d_inside));
       return interpolate(outside, inside, t);
+    } else {
+      const T t = cut_parameter(d_inside, d_outside);
+      return interpolate(inside, outside, t);
     }
   }
 
@@ -110,8 +111,8 @@ struct HomogeneousInterpolating : CutsByOutcodes<HomogeneousInterpolating<kNewVe
   }
 };
 
+using HomogeneousFromInside = HomogeneousInterpolating<NewVertex::from_inside>;
 using HomogeneousFromOutside = HomogeneousInterpolating<NewVertex::from_outside>;
 using HomogeneousWeightedEnds = HomogeneousInterpolating<NewVertex::weighted_ends>;
-using HomogeneousNearerEnd = HomogeneousInterpolating<NewVertex::nearer_end>;
 
 }  // namespace clipscope

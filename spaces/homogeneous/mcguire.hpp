@@ -18,8 +18,7 @@
 // which the paper does not speak, is cycled and cut by the same rule in a loop.
 // Guarantees: the bits of homogeneous/sutherland_hodgman, as long as nothing overflows.
 // Does not guarantee: coordinates within the volume to the last bit after the divide; the exact
-// vertex count where a vertex comes within rounding of a plane; equal bits on a shared edge of
-// neighbours that are cut by different planes.
+// vertex count where a vertex comes within rounding of a plane.
 #pragma once
 
 #include "spaces/homogeneous/by_outcodes.hpp"
@@ -32,30 +31,28 @@ struct HomogeneousMcGuire : CutsByOutcodes<HomogeneousMcGuire> {
       "Sutherland-Hodgman in clip space by cases, in place: a triangle or quadrilateral in registers";
   static constexpr std::string_view source =
       "McGuire, Efficient Triangle and Quadrilateral Clipping within Shaders, 2011";
-  static constexpr Promise promise{.ulps = kChainUlps};
+  static constexpr Promise promise{.ulps = kChainUlps, .watertight = true};
 
   using CutsByOutcodes<HomogeneousMcGuire>::cut;
 
-  template <Scalar T, int K>
-  static constexpr const ClipPolygon<T, K>& cut(const ClipVolume& volume, Outcode planes,
-                                                ClipPolygon<T, K>& polygon,
-                                                ClipPolygon<T, K>& scratch) {
+  template <class V>
+  static constexpr const VertexList<V>& cut(const ClipVolume& volume, Outcode planes,
+                                            VertexList<V>& polygon, VertexList<V>& scratch) {
     clear_unless_finite(polygon);
     for_each_plane(planes, kNearFirst, [&](Plane plane) {
       const auto d = [&](int i) { return signed_distance(volume.depth, plane, polygon[i]); };
       bool is_cut = false;
       if (polygon.size() == 3) {
-        is_cut = clip3(polygon, {d(0), d(1), d(2)});
+        is_cut = clip3(polygon, std::array{d(0), d(1), d(2)});
       } else if (polygon.size() == 4) {
-        is_cut = clip4(polygon, {d(0), d(1), d(2), d(3)});
+        is_cut = clip4(polygon, std::array{d(0), d(1), d(2), d(3)});
       } else if (polygon.size() > 4) {
         is_cut = clip_more(volume.depth, plane, polygon, scratch);
       }
       if (!is_cut) {
         scratch = polygon;
-        clipscope::cut(scratch, polygon, [&](const ClipVertex<T, K>& v) {
-          return signed_distance(volume.depth, plane, v);
-        });
+        clipscope::cut(scratch, polygon,
+                       [&](const V& v) { return signed_distance(volume.depth, plane, v); });
       }
     });
     return polygon;
@@ -65,34 +62,26 @@ struct HomogeneousMcGuire : CutsByOutcodes<HomogeneousMcGuire> {
   // The polygon after a cut: `kept` vertices that come first are inside; edge_out and edge_in are
   // the new vertices on the edges that leave the inside and enter it, d_last and d_first the
   // distances of their inside ends. A vertex on the plane is the new vertex itself.
-  template <Scalar T, int K>
-  static constexpr void finish(ClipPolygon<T, K>& v, int kept, const ClipVertex<T, K>& edge_out,
-                               const T& d_last, const ClipVertex<T, K>& edge_in, const T& d_first) {
+  template <class V, Scalar T>
+  static constexpr void finish(VertexList<V>& v, int kept, const V& edge_out, const T& d_last,
+                               const V& edge_in, const T& d_first) {
     v.truncate(kept);
     if (T(0) < d_last) v.push_back(edge_out);
     if (T(0) < d_first) v.push_back(edge_in);
   }
 
-  template <Scalar T, int K>
-  static constexpr ClipVertex<T, K> mix(const ClipVertex<T, K>& inside,
-                                        const ClipVertex<T, K>& outside, const T& d_inside,
-                                        const T& d_outside) {
-    const T t = cut_parameter(d_inside, d_outside);
-    return interpolate(inside, outside, t);
-  }
-
   // Makes vertex and distance kFirst the first of the kSize, the others behind it in their order.
-  template <int kFirst, int kSize, Scalar T, int K>
-  static constexpr void cycle(ClipPolygon<T, K>& v, std::array<T, kSize>& d) {
-    std::array<ClipVertex<T, K>, kSize> vertices;
+  template <int kFirst, int kSize, class V, Scalar T>
+  static constexpr void cycle(VertexList<V>& v, std::array<T, kSize>& d) {
+    std::array<V, kSize> vertices;
     for (int i = 0; i < kSize; ++i) vertices[i] = v[(i + kFirst) % kSize];
     for (int i = 0; i < kSize; ++i) v[i] = vertices[i];
     const std::array<T, kSize> distances = d;
     for (int i = 0; i < kSize; ++i) d[i] = distances[(i + kFirst) % kSize];
   }
 
-  template <Scalar T, int K>
-  static constexpr bool clip3(ClipPolygon<T, K>& v, std::array<T, 3> d) {
+  template <class V, Scalar T>
+  static constexpr bool clip3(VertexList<V>& v, std::array<T, 3> d) {
     const bool above[3] = {T(0) <= d[0], T(0) <= d[1], T(0) <= d[2]};
     if (!above[0] && !above[1] && !above[2]) v.clear();
     if (above[0] == above[1] && above[1] == above[2]) return true;
@@ -105,18 +94,18 @@ struct HomogeneousMcGuire : CutsByOutcodes<HomogeneousMcGuire> {
       cycle<2, 3>(v, d);
     }
     // The edge from v0 back to v2 is always cut.
-    const ClipVertex<T, K> edge_in = mix(v[0], v[2], d[0], d[2]);
+    const V edge_in = meeting(v[0], v[2], d[0], d[2]);
     if (next_is_above) {
-      finish(v, 2, mix(v[1], v[2], d[1], d[2]), d[1], edge_in, d[0]);
+      finish(v, 2, meeting(v[1], v[2], d[1], d[2]), d[1], edge_in, d[0]);
     } else {
-      finish(v, 1, mix(v[0], v[1], d[0], d[1]), d[0], edge_in, d[0]);
+      finish(v, 1, meeting(v[0], v[1], d[0], d[1]), d[0], edge_in, d[0]);
     }
     return true;
   }
 
   // Whether the vertices inside are one run; if not nothing is cut.
-  template <Scalar T, int K>
-  static constexpr bool clip4(ClipPolygon<T, K>& v, std::array<T, 4> d) {
+  template <class V, Scalar T>
+  static constexpr bool clip4(VertexList<V>& v, std::array<T, 4> d) {
     const bool above[4] = {T(0) <= d[0], T(0) <= d[1], T(0) <= d[2], T(0) <= d[3]};
     const int count = above[0] + above[1] + above[2] + above[3];
     if (count == 0) v.clear();
@@ -130,19 +119,20 @@ struct HomogeneousMcGuire : CutsByOutcodes<HomogeneousMcGuire> {
       cycle<3, 4>(v, d);
     }
     // The edge from v0 back to v3 is always cut, and one of the other three.
-    const ClipVertex<T, K> edge_in = mix(v[0], v[3], d[0], d[3]);
+    const V edge_in = meeting(v[0], v[3], d[0], d[3]);
     switch (count) {
-      case 1: finish(v, 1, mix(v[0], v[1], d[0], d[1]), d[0], edge_in, d[0]); break;
-      case 2: finish(v, 2, mix(v[1], v[2], d[1], d[2]), d[1], edge_in, d[0]); break;
-      default: finish(v, 3, mix(v[2], v[3], d[2], d[3]), d[2], edge_in, d[0]);
+      case 1: finish(v, 1, meeting(v[0], v[1], d[0], d[1]), d[0], edge_in, d[0]); break;
+      case 2: finish(v, 2, meeting(v[1], v[2], d[1], d[2]), d[1], edge_in, d[0]); break;
+      default: finish(v, 3, meeting(v[2], v[3], d[2], d[3]), d[2], edge_in, d[0]);
     }
     return true;
   }
 
   // The same for five vertices or more.
-  template <Scalar T, int K>
-  static constexpr bool clip_more(DepthRange depth, Plane plane, ClipPolygon<T, K>& v,
-                                  ClipPolygon<T, K>& scratch) {
+  template <class V>
+  static constexpr bool clip_more(DepthRange depth, Plane plane, VertexList<V>& v,
+                                  VertexList<V>& scratch) {
+    using T = decltype(signed_distance(depth, plane, v[0]));
     const int n = v.size();
     std::array<T, kMaxPolygonVertices> d{};
     std::array<bool, kMaxPolygonVertices> above{};
@@ -163,8 +153,8 @@ struct HomogeneousMcGuire : CutsByOutcodes<HomogeneousMcGuire> {
     scratch.clear();
     for (int i = 0; i < count; ++i) scratch.push_back(v[(first + i) % n]);
     const int last = (first + count - 1) % n, after = (last + 1) % n, before = (first + n - 1) % n;
-    finish(scratch, count, mix(v[last], v[after], d[last], d[after]), d[last],
-           mix(v[first], v[before], d[first], d[before]), d[first]);
+    finish(scratch, count, meeting(v[last], v[after], d[last], d[after]), d[last],
+           meeting(v[first], v[before], d[first], d[before]), d[first]);
     v = scratch;
     return true;
   }

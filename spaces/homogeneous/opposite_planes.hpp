@@ -13,7 +13,7 @@
 // between them is left out. So a cut by w >= 0 comes before it where some w is negative.
 // Does not guarantee: coordinates within the volume to the last bit after the divide; the exact
 // vertex count where a vertex comes within rounding of a plane; equal bits on a shared edge of
-// neighbours that are cut by different planes.
+// neighbours of which one is cut by both planes of an axis.
 #pragma once
 
 #include "spaces/homogeneous/by_outcodes.hpp"
@@ -31,23 +31,21 @@ struct HomogeneousOppositePlanes : CutsByOutcodes<HomogeneousOppositePlanes> {
 
   using CutsByOutcodes<HomogeneousOppositePlanes>::cut;
 
-  template <Scalar T, int K>
-  static constexpr const ClipPolygon<T, K>& cut(const ClipVolume& volume, Outcode planes,
-                                                ClipPolygon<T, K>& polygon,
-                                                ClipPolygon<T, K>& scratch) {
+  template <class V>
+  static constexpr const VertexList<V>& cut(const ClipVolume& volume, Outcode planes,
+                                            VertexList<V>& polygon, VertexList<V>& scratch) {
     clear_unless_finite(polygon);
-    ClipPolygon<T, K>* in = &polygon;
-    ClipPolygon<T, K>* next = &scratch;
+    VertexList<V>* in = &polygon;
+    VertexList<V>* next = &scratch;
     const auto cut_single = [&](Plane plane) {
-      clipscope::cut(*in, *next, [&](const ClipVertex<T, K>& v) {
-        return signed_distance(volume.depth, plane, v);
-      });
+      clipscope::cut(*in, *next,
+                     [&](const V& v) { return signed_distance(volume.depth, plane, v); });
       std::swap(in, next);
     };
     for (const auto& [low, high] : kPairs) {
       const Outcode pair = bit(low) | bit(high);
       if ((planes & pair) == pair) {
-        cut_if_crossed(*in, *next, [](const ClipVertex<T, K>& v) { return v.position[3]; });
+        cut_if_crossed(*in, *next, [](const V& v) { return v.position[3]; });
         cut_between(volume.depth, low, high, *in, *next);
         std::swap(in, next);
       } else {
@@ -63,26 +61,27 @@ struct HomogeneousOppositePlanes : CutsByOutcodes<HomogeneousOppositePlanes> {
       {{Plane::near, Plane::far}, {Plane::left, Plane::right}, {Plane::bottom, Plane::top}}};
 
   // A vertex and its distances to the two planes.
-  template <Scalar T, int K>
+  template <class V, Scalar T>
   struct Sides {
-    const ClipVertex<T, K>* vertex;
+    const V* vertex;
     T low, high;
 
     constexpr bool is_inside() const { return T(0) <= low && T(0) <= high; }
   };
 
   // Writes to `out` the part of `in` that is inside of both planes. Pre-condition: w >= 0.
-  template <Scalar T, int K>
+  template <class V>
   static constexpr void cut_between(DepthRange depth, Plane low, Plane high,
-                                    const ClipPolygon<T, K>& in, ClipPolygon<T, K>& out) {
-    const auto sides = [&](const ClipVertex<T, K>& v) {
-      return Sides<T, K>{&v, signed_distance(depth, low, v), signed_distance(depth, high, v)};
+                                    const VertexList<V>& in, VertexList<V>& out) {
+    using T = decltype(signed_distance(depth, low, in[0]));
+    const auto sides = [&](const V& v) {
+      return Sides<V, T>{&v, signed_distance(depth, low, v), signed_distance(depth, high, v)};
     };
     out.clear();
     if (in.empty()) return;
-    Sides<T, K> a = sides(in[in.size() - 1]);
-    for (const ClipVertex<T, K>& v : in) {
-      const Sides<T, K> b = sides(v);
+    Sides<V, T> a = sides(in[in.size() - 1]);
+    for (const V& v : in) {
+      const Sides<V, T> b = sides(v);
       // Where the edge crosses both planes it meets first the one that its first end is beyond.
       if (a.low < T(0)) {
         meet(a, b, a.low, b.low, out);
@@ -96,15 +95,15 @@ struct HomogeneousOppositePlanes : CutsByOutcodes<HomogeneousOppositePlanes> {
     }
   }
 
-  // Adds the point where the edge crosses a plane with these distances, from its inside end.
-  template <Scalar T, int K>
-  static constexpr void meet(const Sides<T, K>& a, const Sides<T, K>& b, const T& d_a, const T& d_b,
-                             ClipPolygon<T, K>& out) {
-    const PlaneCut<T> cut = cut_segment(d_a, d_b);
-    if (cut.side == SegmentSide::cut_first) {
-      out.push_back(interpolate(*b.vertex, *a.vertex, cut.t));
-    } else if (cut.side == SegmentSide::cut_second) {
-      out.push_back(interpolate(*a.vertex, *b.vertex, cut.t));
+  // Adds the point where the edge crosses a plane with these distances.
+  template <class V, Scalar T>
+  static constexpr void meet(const Sides<V, T>& a, const Sides<V, T>& b, const T& d_a, const T& d_b,
+                             VertexList<V>& out) {
+    const SegmentSide side = segment_side(d_a, d_b);
+    if (side == SegmentSide::cut_first) {
+      out.push_back(meeting(*b.vertex, *a.vertex, d_b, d_a));
+    } else if (side == SegmentSide::cut_second) {
+      out.push_back(meeting(*a.vertex, *b.vertex, d_a, d_b));
     }
   }
 };

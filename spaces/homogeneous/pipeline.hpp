@@ -8,13 +8,13 @@
 // it so; in silicon: Clark, "The Geometry Engine: A VLSI Geometry System for Graphics", SIGGRAPH
 // 1982.
 // Guarantees: the vertices on an edge depend on that edge alone, bit for bit: every edge meets the
-// same stages in the same order, and is cut from its inside end.
+// same stages in the same order, and is cut from its end nearer to the plane.
 // Does not guarantee: the exact vertex count where a vertex comes within rounding of a plane.
 #pragma once
 
 #include "spaces/clipper.hpp"
+#include "spaces/cut.hpp"
 #include "spaces/homogeneous/divide.hpp"
-#include "spaces/plane_segment.hpp"
 #include "spaces/planes.hpp"
 
 namespace clipscope {
@@ -91,11 +91,11 @@ struct HomogeneousPipeline : StartsInClipSpace<HomogeneousPipeline> {
     // Hands on where the edge from the stage's previous vertex to v meets the plane, if it does.
     constexpr void pass_crossing(int s, const ClipVertex<T, K>& v, const T& d) {
       const Stage& stage = stages_[s];
-      const PlaneCut<T> cut = cut_segment(stage.d_previous, d);
-      if (cut.side == SegmentSide::cut_first) {
-        push(s + 1, interpolate(v, stage.previous, cut.t));
-      } else if (cut.side == SegmentSide::cut_second) {
-        push(s + 1, interpolate(stage.previous, v, cut.t));
+      const SegmentSide side = segment_side(stage.d_previous, d);
+      if (side == SegmentSide::cut_first) {
+        push(s + 1, meeting(v, stage.previous, d, stage.d_previous));
+      } else if (side == SegmentSide::cut_second) {
+        push(s + 1, meeting(stage.previous, v, stage.d_previous, d));
       }
     }
 

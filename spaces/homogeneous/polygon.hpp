@@ -19,6 +19,7 @@
 
 #include "spaces/clipper.hpp"
 #include "spaces/cut.hpp"
+#include "spaces/measured.hpp"
 
 namespace clipscope {
 
@@ -54,8 +55,9 @@ class HomogeneousPolygonClipper {
     for (const ClipVertex<T, K>& v : polygon) {
       if (!has_finite_position(v)) return divided_;
     }
-    polygon_.assign(polygon.begin(), polygon.end());
-    divide(any == 0 ? polygon_ : cut_by(volume, any));
+    polygon_.clear();
+    for (const ClipVertex<T, K>& v : polygon) polygon_.push_back(measured(volume.depth, v));
+    divide(any == 0 ? polygon_ : cut_by(any));
     return divided_;
   }
 
@@ -68,20 +70,19 @@ class HomogeneousPolygonClipper {
   }
 
  private:
-  using ClipVertices = std::vector<ClipVertex<T, K>>;
+  using Measured = MeasuredVertex<Space::clip, T, K>;
+  using Vertices = std::vector<Measured>;
 
   static constexpr std::array<Plane, kPlanes> kOrder = {Plane::near,  Plane::far,    Plane::left,
                                                         Plane::right, Plane::bottom, Plane::top};
 
-  const ClipVertices& cut_by(const ClipVolume& volume, Outcode planes) {
+  const Vertices& cut_by(Outcode planes) {
     return cut_by_planes(polygon_, scratch_, planes, kOrder,
-                         [&](Plane plane, const ClipVertex<T, K>& v) {
-                           return signed_distance(volume.depth, plane, v);
-                         });
+                         [](Plane plane, const Measured& v) { return carried_distance(plane, v); });
   }
 
   // A vertex whose w is not positive is the eye itself and is left out.
-  void divide(const ClipVertices& polygon) {
+  void divide(const Vertices& polygon) {
     for (const ClipVertex<T, K>& v : polygon) {
       if (T(0) < v.position[3]) divided_.push_back(to_ndc(v));
     }
@@ -92,7 +93,8 @@ class HomogeneousPolygonClipper {
     if (divided_.size() < 3 || !finite) divided_.clear();
   }
 
-  ClipVertices projected_, polygon_, scratch_;
+  std::vector<ClipVertex<T, K>> projected_;
+  Vertices polygon_, scratch_;
   std::vector<NdcVertex<T, K>> divided_;
 };
 

@@ -10,10 +10,11 @@
 // and Sutherland, in Newman and Sproull, "Principles of Interactive Computer Graphics", 1973;
 // homogeneous: Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978; a w-plane
 // of 1e-5: practice of software renderers; of 1/16384: Skia (kW0PlaneDistance).
+// Guarantees: the vertices on an edge depend on that edge alone, bit for bit (measured.hpp).
 // Does not guarantee: coordinates within the volume to the last bit after the divide; the exact
-// vertex count where a vertex comes within rounding of a plane; equal bits on a shared edge of
-// neighbours that are cut by different planes. A w-plane with epsilon > 0 loses what is nearer to
-// the eye than that and makes the result depend on the scale of homogeneous coordinates.
+// vertex count where a vertex comes within rounding of a plane. A w-plane with epsilon > 0 loses
+// what is nearer to the eye than that and makes the result depend on the scale of homogeneous
+// coordinates.
 #pragma once
 
 #include <limits>
@@ -76,8 +77,10 @@ struct HomogeneousSutherlandHodgmanWith
   }();
   static constexpr std::string_view source =
       "Blinn and Newell, Clipping Using Homogeneous Coordinates, 1978";
-  static constexpr Promise promise{
-      .covers = !kHasEpsilon, .ulps = kChainUlps, .scale_invariant = !kHasEpsilon};
+  static constexpr Promise promise{.covers = !kHasEpsilon,
+                                   .ulps = kChainUlps,
+                                   .watertight = true,
+                                   .scale_invariant = !kHasEpsilon};
 
   using CutsByOutcodes<HomogeneousSutherlandHodgmanWith>::cut;
 
@@ -94,19 +97,16 @@ struct HomogeneousSutherlandHodgmanWith
 
   // The same by the planes of the code alone, of the triangle in `polygon`; with vertices that are
   // not in front of the eye. It comes back in one of the two lists.
-  template <Scalar T, int K>
-  static constexpr const ClipPolygon<T, K>& cut(const ClipVolume& volume, Outcode planes,
-                                                ClipPolygon<T, K>& polygon,
-                                                ClipPolygon<T, K>& scratch) {
+  template <class V>
+  static constexpr const VertexList<V>& cut(const ClipVolume& volume, Outcode planes,
+                                            VertexList<V>& polygon, VertexList<V>& scratch) {
     clear_unless_finite(polygon);
     if constexpr (kWPlane != WPlane::none) {
-      cut_if_crossed(polygon, scratch,
-                     [](const ClipVertex<T, K>& v) { return w_distance(v.position); });
+      cut_if_crossed(polygon, scratch, [](const V& v) { return w_distance(v.position); });
     }
-    return cut_by_planes(polygon, scratch, planes, kPlaneOrder<kOrder>,
-                         [&](Plane plane, const ClipVertex<T, K>& v) {
-                           return signed_distance(volume.depth, plane, v);
-                         });
+    return cut_by_planes(
+        polygon, scratch, planes, kPlaneOrder<kOrder>,
+        [&](Plane plane, const V& v) { return signed_distance(volume.depth, plane, v); });
   }
 
  private:

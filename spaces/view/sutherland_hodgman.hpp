@@ -13,6 +13,7 @@
 //                            scalars with a square root
 //
 // Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974.
+// Guarantees: the vertices on an edge depend on that edge alone, bit for bit (spaces/measured.hpp).
 // Does not guarantee: NDC coordinates within [-1, 1]: a new vertex lies on its plane in view space
 // up to rounding, and is rounded again by the projection and the divide. The unit normals are
 // rounded, and then the planes of the volume are not quite those of the projection.
@@ -20,6 +21,7 @@
 
 #include "spaces/clipper.hpp"
 #include "spaces/cut.hpp"
+#include "spaces/measured.hpp"
 #include "spaces/view/plane_form.hpp"
 
 namespace clipscope {
@@ -40,7 +42,8 @@ struct ViewSutherlandHodgmanWith {
       "Sutherland and Hodgman, Reentrant Polygon Clipping, 1974";
   // A unit normal has three roundings more than the form without.
   static constexpr Promise promise{
-      .ulps = kForm == PlaneForm::unit_normals ? kChainUlps + kPlanes * 4 : kChainUlps};
+      .ulps = kForm == PlaneForm::unit_normals ? kChainUlps + kPlanes * 4 : kChainUlps,
+      .watertight = true};
 
   template <Scalar T, int K>
   requires kPlaneFormExistsIn<kForm, T>
@@ -52,9 +55,8 @@ struct ViewSutherlandHodgmanWith {
     if (code.any == 0) {
       project(projection, triangle, out);
     } else if (has_finite_positions(triangle)) {
-      ViewPolygon<T, K> polygon, scratch;
-      polygon.assign(triangle);
-      project(projection, cut_planes(projection, code.any, polygon, scratch), out);
+      cut_and_then(projection, code.any, triangle,
+                   [&](const auto& rest) { project(projection, rest, out); });
     }
   }
 
@@ -63,12 +65,12 @@ struct ViewSutherlandHodgmanWith {
   static constexpr ViewPolygon<T, K> cut(const Projection<T>& projection,
                                          const ViewTriangle<T, K>& triangle) {
     const OutcodeSummary code = outcodes(projection, triangle);
-    ViewPolygon<T, K> out, scratch;
+    ViewPolygon<T, K> out;
     if (code.all != 0 || is_beyond_open_side(projection, triangle)) return out;
     if (!has_finite_positions(triangle)) return out;
-    out.assign(triangle);
-    const ViewPolygon<T, K>& left = cut_planes(projection, code.any, out, scratch);
-    if (&left != &out) out = left;
+    cut_and_then(projection, code.any, triangle, [&](const auto& rest) {
+      for (const ViewVertex<T, K>& v : rest) out.push_back(v);
+    });
     bool finite = true;
     for (const ViewVertex<T, K>& v : out) finite = finite && has_finite_position(v);
     if (!finite) out.clear();
@@ -102,15 +104,22 @@ struct ViewSutherlandHodgmanWith {
     });
   }
 
-  // What is left comes back in one of the two lists.
-  template <Scalar T, int K>
-  static constexpr const ViewPolygon<T, K>& cut_planes(const Projection<T>& projection,
-                                                       Outcode planes, ViewPolygon<T, K>& polygon,
-                                                       ViewPolygon<T, K>& scratch) {
-    const auto plane_distance = [&](Plane plane, const ViewVertex<T, K>& v) {
+  // f(rest): what is left of a triangle inside of the planes of the code. Distances are carried
+  // only where they are asked of a new vertex.
+  template <Scalar T, int K, class F>
+  static constexpr void cut_and_then(const Projection<T>& projection, Outcode planes,
+                                     const ViewTriangle<T, K>& triangle, F&& f) {
+    const auto distance = [&](Plane plane, const ViewVertex<T, K>& v) {
       return signed_distance<kForm>(projection, plane, v);
     };
-    return cut_by_planes(polygon, scratch, planes, kAllPlanes, plane_distance);
+    if (is_single(planes)) {
+      ViewPolygon<T, K> polygon, scratch;
+      polygon.assign(triangle);
+      return f(cut_by_planes(polygon, scratch, planes, kAllPlanes, distance));
+    }
+    MeasuredPolygon<Space::view, T, K> polygon, scratch;
+    for (const ViewVertex<T, K>& v : triangle) polygon.push_back(measured(v, planes, distance));
+    f(cut_by_planes(polygon, scratch, planes, kAllPlanes, carried_distance<Space::view, T, K>));
   }
 
   template <Scalar T, int K, class Vertices>

@@ -108,7 +108,7 @@ TEST_CASE("cut step: these clippers have it") {
             "homogeneous/w_first_0", "homogeneous/w_first_flt_min", "homogeneous/w_first_1_16384",
             "homogeneous/w_first_1e-5", "homogeneous/pipeline", "homogeneous/blinn_newell",
             "homogeneous/mcguire", "homogeneous/from_outside", "homogeneous/weighted_ends",
-            "homogeneous/nearer_end", "homogeneous/opposite_planes", "barycentric/distance_matrix",
+            "homogeneous/from_inside", "homogeneous/opposite_planes", "barycentric/distance_matrix",
             "barycentric/correctly_rounded"});
   CHECK(in_view_space == std::set<std::string_view>{"view/sutherland_hodgman", "view/exact_sign",
                                                     "view/unit_normals"});

@@ -175,15 +175,20 @@ TEST_CASE("plane_segment: the denominator vanishes for no distances of any sign 
   }
 }
 
-TEST_CASE("plane_segment: the cut of a polygon's edge is the cut of a segment, to the bit") {
+TEST_CASE("plane_segment: the cut of a polygon's edge from its inside end is that of a segment") {
   std::mt19937_64 random(22);
   for (int n = 0; n < 2000; ++n) {
     const auto triangle = clip_triangle<float>(random_corners(random, 3));
     ClipPolygon<float, K> in, out;
     in.assign(triangle);
-    cut(in, out, [](const ClipVertex<float, K>& v) {
-      return clip_distance(DepthRange::minus_one_to_one, Plane::right, v.position);
-    });
+    cut_by_distances(
+        in, out,
+        [](const ClipVertex<float, K>& v) {
+          return clip_distance(DepthRange::minus_one_to_one, Plane::right, v.position);
+        },
+        [](const auto& inside, const auto& outside, float d_inside, float d_outside) {
+          return interpolate(inside, outside, cut_parameter(d_inside, d_outside));
+        });
     for (std::size_t i = 0; i < 3; ++i) {
       const auto &a = triangle[i], &b = triangle[(i + 1) % 3];
       const PlaneCut<float> edge = cut_segment(DepthRange::minus_one_to_one, Plane::right, a, b);

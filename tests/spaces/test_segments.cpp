@@ -450,7 +450,8 @@ TEST_CASE("segments: homogeneous coordinates scaled by 2^k give the same picture
   }
 }
 
-TEST_CASE("segments: cut by one plane, a segment gets the bits of a triangle's edge") {
+TEST_CASE(
+    "segments: cut by one plane, a segment gets the bits of an edge cut from its inside end") {
   std::mt19937_64 random(39);
   std::ptrdiff_t found = 0;
   for (int n = 0; n < 500; ++n) {
@@ -458,7 +459,7 @@ TEST_CASE("segments: cut by one plane, a segment gets the bits of a triangle's e
     for (auto& v : triangle) v.position[3] = 1;
     triangle[2].position[0] += 2;
     NdcPolygon<float, K> polygon, edge;
-    HomogeneousSutherlandHodgman{}(kGl, triangle, polygon);
+    HomogeneousFromInside{}(kGl, triangle, polygon);
     for_each_type(TypeList<HomogeneousCohenSutherland, HomogeneousLiangBarsky,
                            HomogeneousLiangBarskyDivisionFree>{},
                   [&]<class C>() {

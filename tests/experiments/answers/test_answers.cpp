@@ -55,7 +55,7 @@ TEST_CASE("answers: the price is that of the fastest that makes no mistake") {
   Fabricated run = sample_run();
   CHECK(says(answer_to(run, "price"), "takes 25 % more time"));
   CHECK(says(answer_to(run, "price"), "makes no mistake"));
-  CHECK(says(answer_to(run, "price"), "8000 of a million"));
+  CHECK(says(answer_to(run, "price"), "gets hard triangles wrong"));
   run.alter<frontier::Row>(
       [](frontier::Row& r) {
         r.timing->ns = {20, 16, 24};
@@ -66,11 +66,29 @@ TEST_CASE("answers: the price is that of the fastest that makes no mistake") {
   run.alter<frontier::Row>([](frontier::Row& r) { r.wrong_percent = 0; }, &frontier::Row::set,
                            kHard, &frontier::Row::contract, Contract::copy, &frontier::Row::clipper,
                            kBatch);
-  CHECK(says(answer_to(run, "price"), "misses the nearest float in 40.0 %"));
+  CHECK(says(answer_to(run, "price"), "misses nearest floats"));
   run.alter<frontier::Row>([](frontier::Row& r) { r.wrong_percent = 5.0; }, &frontier::Row::set,
                            kHard, &frontier::Row::contract, Contract::copy, &frontier::Row::clipper,
                            kRoundedBatch);
   CHECK(says(answer_to(run, "price"), "every clipper makes mistakes"));
+}
+
+TEST_CASE("answers: the price names the mix where correct rounding costs the most") {
+  Fabricated run = sample_run();
+  using R = cost::CertaintyRow;
+  const auto price = [](const char* mix, double times) {
+    return row_with<R>(&R::mix, mix, &R::contract, Contract::number, &R::from, InputFrom::cache,
+                       &R::price, MedianInterval{times, times - 0.1, times + 0.1});
+  };
+  run.set(std::vector{price("game_like", 1.0), price("several_planes", 1.5)});
+  const std::string answer = answer_to(run, "price");
+  CHECK(faults_of_prose(answer).empty());
+  CHECK(says(answer, "takes 25 % more time with"));
+  CHECK(says(
+      answer,
+      "At its worst, on triangles across several planes by number, from cache, correct rounding takes 50 % more time."));
+  run.set(std::vector{price("game_like", 1.02), price("several_planes", 1.08)});
+  CHECK(says(answer_to(run, "price"), "is as fast as the fastest on every mix"));
 }
 
 TEST_CASE("answers: dividing first does harm only where it fails more often") {

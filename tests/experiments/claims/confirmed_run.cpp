@@ -87,9 +87,9 @@ std::vector<frontier::Row> contests() {
   };
   add(Contract::full, "homogeneous/sutherland_hodgman", "float", 25, 80);
   add(Contract::full, "homogeneous/sutherland_hodgman", "exact", 2500, 100);
+  add(Contract::full, "homogeneous/from_inside", "float", 25, 78);
   add(Contract::full, "homogeneous/from_outside", "float", 25, 80);
   add(Contract::full, "homogeneous/weighted_ends", "float", 25, 79);
-  add(Contract::full, "homogeneous/nearer_end", "float", 26, 82);
   add(Contract::copy, "homogeneous/batch", "float", 5, 80);
   add(Contract::copy, "barycentric/correctly_rounded_batch", "float", 50, 100);
   return rows;

@@ -57,11 +57,12 @@ class Fabricated {
     change(rows[static_cast<std::size_t>(found - rows.data())]);
     set(rows);
   }
+  std::optional<Table> table(const std::string& name) const {
+    const auto found = tables_.find(name);
+    return found == tables_.end() ? std::nullopt : std::optional(found->second);
+  }
   Results results() const {
-    return Results([tables = tables_](const std::string& name) -> std::optional<Table> {
-      const auto found = tables.find(name);
-      return found == tables.end() ? std::nullopt : std::optional(found->second);
-    });
+    return Results([run = *this](const std::string& name) { return run.table(name); });
   }
 
  private:

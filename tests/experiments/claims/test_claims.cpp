@@ -112,6 +112,28 @@ TEST_CASE("claims: without its figures every claim is undecided and says what is
   }
 }
 
+TEST_CASE("claims: what rests on times of a busy machine is not settled, and the rest is") {
+  const Fabricated run = all_confirmed();
+  const auto tables = [&](const std::string& name) { return run.table(name); };
+  const auto busy = [](const std::string&) { return Interruptions{.runs = 10, .redone = 2}; };
+  const auto quiet = [](const std::string&) { return Interruptions{.runs = 100, .redone = 2}; };
+  std::set<Verdict> verdicts;
+  for (const Claim& claim : all_claims()) {
+    const Judgement before = judge(claim, run.results()), after = judge(claim, tables, busy);
+    CHECK(judge(claim, tables, quiet).verdict == before.verdict);
+    CHECK(after.evidence.size() == before.evidence.size());
+    verdicts.insert(after.verdict);
+    if (claim.experiment == "cost" && before.verdict == Verdict::confirmed) {
+      INFO("claim " << claim.number);
+      CHECK(after.verdict == Verdict::unsettled);
+      CHECK(faults_of_prose(after.because).empty());
+    }
+    if (claim.experiment == "watertight") CHECK(after.verdict == before.verdict);
+  }
+  CHECK(verdicts.contains(Verdict::unsettled));
+  CHECK(verdicts.contains(Verdict::confirmed));
+}
+
 // A claim that is true of half of what it was tried on.
 Judgement half_true(const std::vector<std::string>& holding,
                     const std::vector<std::string>& failing) {

@@ -40,7 +40,7 @@ template <>
 cost::StageRow timed_row(std::size_t mix, std::string_view clipper, double speedup) {
   using R = cost::StageRow;
   return row_with<R>(&R::mix, kMixes[mix], &R::clipper, clipper, &R::scalar, "float", &R::build,
-                     "simd", &R::contract, "copy", &R::timing, timing(speedup));
+                     "simd", &R::contract, "copy", &R::timing, cost::StageFigures{timing(speedup)});
 }
 
 template <class MixRow>

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <sched.h>
+#include <atomic>
+#include <cmath>
+#include <set>
+#include <thread>
+#include <utility>
 
 #include "experiments/clock/clock.hpp"
-#include "experiments/machine/machine.hpp"
+#include "experiments/machine/measuring.hpp"
 #include "tests/catch.hpp"
 
 using namespace clipscope::experiments;
@@ -81,20 +85,121 @@ TEST_CASE("clock: a slow task does a share of its work, a quick one its work sev
   CHECK(shares.back() == std::floor(shares.back()));
 }
 
-TEST_CASE("clock: tasks run in turn, each once per round, in an order that rotates") {
-  std::vector<int> order;
-  std::vector<Task> tasks(3);
-  for (int i = 0; i < 3; ++i) {
-    tasks[static_cast<std::size_t>(i)] = {.work = [&order, i](double) -> std::size_t {
-                                            order.push_back(i);
-                                            return 1;
-                                          },
-                                          .check = nothing_to_check};
+namespace {
+
+constexpr std::size_t kTasks = 5, kManyRounds = 40;
+
+// Who ran when, the warm runs left out.
+std::vector<std::size_t> order_of_turns(std::uint64_t seed) {
+  std::vector<std::size_t> order;
+  std::vector<Task> tasks(kTasks);
+  for (std::size_t i = 0; i < kTasks; ++i) {
+    tasks[i] = {.work = [&order, i](double) -> std::size_t {
+                  order.push_back(i);
+                  return 1;
+                },
+                .check = nothing_to_check,
+                .interruptions = [] { return 0; }};
   }
-  const std::vector<Timing> timings = time_in_turn(tasks, {.rounds = 3});
-  // A warm run each, then the rounds.
-  CHECK(order == std::vector{0, 1, 2, 0, 1, 2, 1, 2, 0, 2, 0, 1});
-  for (const Timing& t : timings) CHECK(t.samples_ns.size() == 3);
+  time_in_turn(tasks, {.rounds = kManyRounds, .seed = seed});
+  order.erase(order.begin(), order.begin() + kTasks);
+  return order;
+}
+
+}  // namespace
+
+TEST_CASE("clock: each task runs once in every round") {
+  const std::vector<std::size_t> order = order_of_turns(1);
+  REQUIRE(order.size() == kTasks * kManyRounds);
+  for (std::size_t first = 0; first < order.size(); first += kTasks) {
+    const auto round = order.begin() + static_cast<std::ptrdiff_t>(first);
+    CHECK(std::set(round, round + kTasks).size() == kTasks);
+  }
+}
+
+TEST_CASE("clock: every task has each of the others before it in some round") {
+  const std::vector<std::size_t> order = order_of_turns(1);
+  std::set<std::pair<std::size_t, std::size_t>> neighbours;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (order[i - 1] != order[i]) neighbours.insert({order[i - 1], order[i]});
+  }
+  CHECK(neighbours.size() == kTasks * (kTasks - 1));
+}
+
+TEST_CASE("clock: the order of turns is that of the seed") {
+  CHECK(order_of_turns(1) == order_of_turns(1));
+  CHECK(order_of_turns(1) != order_of_turns(2));
+}
+
+namespace {
+
+// Loses the processor in those of its runs that are named, counted from 0; the warm run is one.
+// Says what it was told in each run.
+struct Unlucky {
+  std::set<int> runs_hit;
+  int runs = 0, hits = 0;
+
+  Task task() {
+    return {.work = [this](double) -> std::size_t {
+              hits += runs_hit.contains(runs);
+              ++runs;
+              return 1;
+            },
+            .check = nothing_to_check,
+            .interruptions = [this] { return hits; }};
+  }
+};
+
+Task lucky() {
+  return {.work = [](double) -> std::size_t { return 1; },
+          .check = nothing_to_check,
+          .interruptions = [] { return 0; }};
+}
+
+}  // namespace
+
+TEST_CASE("clock: a run that lost the processor is done again in its round and does not count") {
+  Unlucky unlucky{{1, 2, 5}};
+  const Interruptions before = interruptions_so_far();
+  const auto timings = time_in_turn(std::vector{unlucky.task(), lucky()}, {.rounds = 6});
+  CHECK(unlucky.runs == 1 + 6 + 3);
+  CHECK(timings[0].rounds == 6);
+  CHECK(timings[0].samples_ns.size() == 6);
+  CHECK(timings[0].redone == 3);
+  CHECK(timings[0].disturbed == 0);
+  CHECK(timings[1].redone == 0);
+  CHECK(interruptions_so_far() - before == Interruptions{.runs = 15, .redone = 3});
+}
+
+TEST_CASE(
+    "clock: who loses the processor again and again counts at last, so that rounds are whole") {
+  Unlucky unlucky{{1, 2, 3, 4}};  // of the first round
+  const Interruptions before = interruptions_so_far();
+  const auto timings = time_in_turn(std::vector{unlucky.task(), lucky()}, {.rounds = 2});
+  CHECK(timings[0].redone == kMostRepeats);
+  CHECK(timings[0].disturbed == 1);
+  CHECK(timings[0].samples_ns.size() == timings[1].samples_ns.size());
+  CHECK((interruptions_so_far() - before).is_busy());
+}
+
+TEST_CASE("clock: a task that competes for its processor is noticed") {
+  const MeasuringThread here;
+  if (!here.pinned()) return;
+  std::atomic<bool> done = false;
+  std::thread rival([&] {  // on the same processor, by inheritance
+    while (!done) continue;
+  });
+  const Task yielding = {.work = [](double) -> std::size_t {
+                           std::this_thread::yield();
+                           return 1;
+                         },
+                         .check = nothing_to_check};
+  // Long enough for the scheduler to give the rival its turn.
+  const Task long_one = counting(30'000'000);
+  const auto timings = time_in_turn(std::vector{yielding, long_one}, {.rounds = 3});
+  done = true;
+  rival.join();
+  for (const Timing& t : timings) CHECK(t.redone + t.disturbed > 0);
 }
 
 namespace {
@@ -158,17 +263,4 @@ TEST_CASE("clock: the least rounds leave a 95 % interval inside of the range of 
 TEST_CASE("clock: ratios are formed sample by sample, of the rounds that both have") {
   CHECK(ratios(std::vector{6.0, 8.0, 9.0}, std::vector{2.0, 4.0}) == std::vector{3.0, 2.0});
   CHECK(ratios(std::vector{2.0, 9.0}, std::vector{1.0, 3.0}) == std::vector{2.0, 3.0});
-}
-
-TEST_CASE("clock: a thread can be pinned and is freed again") {
-  cpu_set_t before, after;
-  REQUIRE(sched_getaffinity(0, sizeof before, &before) == 0);
-  {
-    const PinnedThread pinned;
-    cpu_set_t during;
-    REQUIRE(sched_getaffinity(0, sizeof during, &during) == 0);
-    if (pinned.pinned()) CHECK(CPU_COUNT(&during) == 1);
-  }
-  REQUIRE(sched_getaffinity(0, sizeof after, &after) == 0);
-  CHECK(CPU_EQUAL(&before, &after));
 }

@@ -63,3 +63,18 @@ TEST_CASE("cli: double and exact scalars are given positions in double, as the f
       folder.run("explain --clipper homogeneous/sutherland_hodgman --scalar double" + camera);
   CHECK(contains(r.out, "\"exact\""));
 }
+
+TEST_CASE("cli: compare in real time says so with the machine, or what to do where it is refused") {
+  const Folder folder;
+  const Result r = folder.run(
+      "compare --realtime --scene soup --quick --sample 20 --scalar float --clipper textbook");
+  INFO(r.err);
+  if (r.code == 0) {
+    CHECK(contains(r.out, "SCHED_"));
+    CHECK(contains(r.out, "runs under the clock"));
+  } else {
+    CHECK(r.code == 2);
+    CHECK(contains(r.err, "--realtime"));
+    CHECK(contains(r.err, "rtprio"));
+  }
+}

@@ -31,15 +31,13 @@ struct Measured {
   }
 };
 
-StageRow rounded_on(const char* mix, double times_fastest) {
-  StageRow row{.mix = mix,
-               .clipper = "barycentric/correctly_rounded_batch",
-               .scalar = "float",
-               .build = "simd",
-               .contract = "copy",
-               .timing = Timing{}};
-  row.times_fastest = MedianInterval{times_fastest, times_fastest - 0.02, times_fastest + 0.02};
-  return row;
+CertaintyRow certainty_on(const char* mix, double price, Contract contract = Contract::copy,
+                          InputFrom from = InputFrom::memory) {
+  return {.mix = mix,
+          .contract = contract,
+          .from = from,
+          .fastest = "homogeneous/batch",
+          .price = {price, price - 0.02, price + 0.02}};
 }
 
 }  // namespace
@@ -102,13 +100,24 @@ TEST_CASE("cost: the table of spaces has the ratios to clip space on the same mi
   CHECK(rows[1].time == Approx(1));
 }
 
-TEST_CASE("stage tables: the finding says where correct rounding costs time") {
-  CHECK(stage_finding({}) == "");
+TEST_CASE(
+    "stage tables: the finding says where correct rounding is free, and where it is dearest") {
+  CHECK(certainty_finding({}) == "");
+  std::vector<CertaintyRow> rows = {
+      certainty_on("game_like", 1.01), certainty_on("straddling", 1.1),
+      certainty_on("straddling", 1.4, Contract::number, InputFrom::cache)};
+  const auto checked = [&] {
+    const std::string text = certainty_finding(rows);
+    CHECK(faults_of_prose(text, {.figures = 0, .sentences = 1}).empty());
+    return text;
+  };
   CHECK(
-      stage_finding({rounded_on("game_like", 1.01), rounded_on("straddling", 1.4)}) ==
-      "In the stage of a renderer the correctly rounded batch clipper is as fast as the fastest on the game-like mix, and slower on straddling triangles.");
-  CHECK(stage_finding({rounded_on("game_like", 1.01)}).find("on every mix") != std::string::npos);
-  CHECK(
-      stage_finding({rounded_on("game_like", 1.2)}).find("slower than the fastest on every mix") !=
-      std::string::npos);
+      checked() ==
+      "In a renderer's stage correct rounding is free on the game-like mix, and costs most on straddling triangles by number, from cache.");
+  rows[1].price = {1.5, 1.45, 1.55};
+  CHECK(checked().ends_with("costs most on straddling triangles by copy, from memory."));
+  rows[0].price = {1.2, 1.1, 1.3};
+  CHECK(checked().find("costs time on every mix, and most on") != std::string::npos);
+  for (CertaintyRow& row : rows) row.price = {1.2, 0.99, 1.4};  // beyond chance it is not
+  CHECK(checked().ends_with("is free on every mix, from memory and from cache."));
 }

@@ -2,6 +2,8 @@
 #include <bit>
 
 #include "experiments/cost/rows.hpp"
+#include "experiments/machine/machine.hpp"
+#include "experiments/machine/measuring.hpp"
 #include "spaces/planes.hpp"
 #include "tests/catch.hpp"
 
@@ -72,11 +74,34 @@ TEST_CASE(
   };
   CHECK(steps(Growing::attributes) == 7);
   CHECK(steps(Growing::planes) == 6);
-  CHECK(steps(Growing::threads) == 2);
+  CHECK(steps(Growing::threads) == std::min<std::size_t>(2, allowed_processors().size()));
 }
 
-TEST_CASE("growth: threads clip their parts, of the slow baseline an eighth") {
+TEST_CASE("growth: threads clip their parts four times, of the slow baseline an eighth") {
   for (const GrowthRow& row : rows_of(Growing::threads)) {
-    CHECK(row.triangles == (row.clipper == "textbook" ? 250 : 2000));
+    CHECK(row.triangles == (row.clipper == "textbook" ? 250 : 8000));
   }
+}
+
+TEST_CASE("growth: two threads are compared with one in the same rounds") {
+  for (const GrowthRow& row : rows_of(Growing::threads)) {
+    REQUIRE(row.speedup_by_threads);
+    CHECK(row.speedup_by_threads->median > 0);
+    if (row.n == 1) CHECK(row.speedup_by_threads->low == 1);
+  }
+  for (const GrowthRow& row : rows_of(Growing::planes)) CHECK_FALSE(row.speedup_by_threads);
+}
+
+TEST_CASE("growth: what fits into a cache is said to come from there, the rest from memory") {
+  for (const GrowthRow& row : rows_of(Growing::attributes)) CHECK(row.from == InputFrom::cache);
+  GrowthOptions large = kSmall;
+  large.soup = 2 * level2_cache_bytes() / (3 * 8 * sizeof(float));
+  TableOf<GrowthRow> table;
+  PieceRecord record;
+  measure_growth(Growing::triangles, large, table, record);
+  const auto from = [&](std::int64_t n) {
+    return distinct(rows_where(table.rows(), &GrowthRow::n, n), &GrowthRow::from);
+  };
+  CHECK(from(1000) == std::vector{InputFrom::cache, InputFrom::memory});
+  CHECK(from(10'000).back() == InputFrom::memory);
 }

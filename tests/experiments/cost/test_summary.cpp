@@ -21,6 +21,7 @@ StageTiming timing(std::string_view clipper, std::string_view build, double ns, 
                 .times_fastest = {ns / 10, ns / 11, ns / 9},
                 .limit_percent = {50, 40, 60}};
   t.timing.ns = {ns, ns - 1, ns + 1};
+  t.timing.samples_ns = {ns, ns - 1, ns + 1};
   t.timing.speedup = {speedup, speedup, speedup};
   return t;
 }
@@ -40,49 +41,75 @@ StageMeasurement measurement() {
 }
 
 struct Made {
-  TableOf<StageRow> stage;
-  TableOf<RefusedRow> refused;
+  StageTables tables;
   PieceRecord record;
 
-  Made() { add_rows("game_like", measurement(), stage, refused, record); }
+  Made() { tables.add("game_like", measurement(), record); }
 };
 
 }  // namespace
 
 TEST_CASE("stage tables: bytes and gigabytes per second are computed from the data and the time") {
-  const std::vector<StageRow> rows = Made().stage.rows();
+  const std::vector<StageRow> rows = Made().tables.stage.rows();
   REQUIRE(rows.size() == 5);
+  CHECK(rows[0].from == InputFrom::memory);
   CHECK(rows[0].clipper == "copy everything");
-  CHECK(rows[0].contract == kMemory);
+  CHECK(rows[0].contract == kBytesAlone);
   CHECK(rows[0].gigabytes_per_second == Approx(2 * 96 / 4.0));
-  CHECK_FALSE(rows[0].limit_percent);
-  CHECK_FALSE(rows[0].times_fastest);
+  CHECK_FALSE(rows[0].timing->limit_percent);
+  CHECK_FALSE(rows[0].timing->times_fastest);
   CHECK(rows[2].bytes_in == 96);
   CHECK(rows[2].bytes_out == 64);
   CHECK(rows[2].gigabytes_per_second == Approx(160 / 10.0));
-  CHECK(rows[2].limit_percent->median == 50);
+  CHECK(rows[2].timing->limit_percent->median == 50);
+  CHECK(rows[2].timing->times_fastest->median == 1);
+  CHECK(rows[2].timing->speedup->median == 10);
 }
 
 TEST_CASE("stage tables: who is refused has a row without figures, and one with the reason") {
   const Made made;
-  CHECK_FALSE(made.stage.rows()[3].timing);
-  CHECK_FALSE(made.stage.rows()[3].bytes_in);
+  CHECK_FALSE(made.tables.stage.rows()[3].timing);
+  CHECK_FALSE(made.tables.stage.rows()[3].bytes_in);
   CHECK(made.record.samples.size() == 4);
-  REQUIRE(made.refused.rows().size() == 1);
-  CHECK(made.refused.rows()[0].reason == "it is wrong");
+  REQUIRE(made.tables.refused.rows().size() == 1);
+  CHECK(made.tables.refused.rows()[0].reason == "it is wrong");
 }
 
 TEST_CASE(
     "stage tables: the plot has a bar per clipper that was timed in SIMD, and memory's limit") {
-  const std::vector<StageRow> rows = Made().stage.rows();
-  const Plot plot = stage_plot(rows, Contract::copy);
+  const std::vector<StageRow> rows = Made().tables.stage.rows();
+  const Plot plot = stage_plot(rows, Contract::copy, InputFrom::memory);
   CHECK(plot.name == "cost_stage_copy");
   REQUIRE(plot.series.size() == 3);
   CHECK(plot.series[0].y == std::vector<double>{10});
   CHECK(plot.series[2].muted);
-  CHECK(plot.series[2].y == std::vector<double>{20});  // half of it is reached
+  CHECK(plot.series[2].y == std::vector<double>{5});  // half of its time goes into moving bytes
   CHECK(plot.categories == std::vector<std::string>{"game_like"});
-  CHECK(stage_plot(rows, Contract::indexed).series.empty());
+  CHECK(stage_plot(rows, Contract::indexed, InputFrom::memory).series.empty());
+  CHECK(stage_plot(rows, Contract::copy, InputFrom::cache).series.empty());
+}
+
+TEST_CASE("stage tables: certainty is the correctly rounded clipper over the fastest other one") {
+  const std::vector<CertaintyRow> rows = Made().tables.certainty.rows();
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].mix == "game_like");
+  CHECK(rows[0].contract == Contract::copy);
+  CHECK(rows[0].from == InputFrom::memory);
+  CHECK(rows[0].fastest == "homogeneous/batch");
+  CHECK(rows[0].fastest_ns == 10);
+  CHECK(rows[0].certain_ns == 12);
+  CHECK(rows[0].price.median == Approx(1.2));
+  CHECK(rows[0].price.low == Approx(13.0 / 11));  // of the same round
+  CHECK(rows[0].price.high == Approx(11.0 / 9));
+  CHECK(rows[0].fastest_limit == 50);
+  CHECK(rows[0].fastest_speedup == 10);
+  CHECK(rows[0].certain_speedup == 8);
+}
+
+TEST_CASE("stage tables: who was not timed has no price of certainty") {
+  StageMeasurement wrong = measurement();
+  wrong.contestants[3].timing.refused = "it is wrong";
+  CHECK(certainty_rows("game_like", wrong).empty());
 }
 
 TEST_CASE("growth table: plots have one line per clipper and contract over what grows") {

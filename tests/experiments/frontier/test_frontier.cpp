@@ -129,11 +129,16 @@ TEST_CASE("frontier: contracts of the stage have frontiers of their own, errors 
   const Scene scene = make_builtin_scene("soup_straddling", {.seed = 1, .quick = true});
   const StageInput input = scene_input(scene, 200);
   const auto contracts = hold_stage_contest(
-      input, stage_contestants(input),
+      input, stage_contestants(input), 10'000,
       {.rounds = 5, .milliseconds_per_run = 0.1, .check = {.triangles = 500, .exact = 16}});
-  REQUIRE(contracts.size() == 2);
-  CHECK(contracts[0].front().contestant->clipper == "textbook");
-  CHECK(contracts[1].front().contestant->contract == Contract::number);
+  REQUIRE(contracts.size() == 4);
+  for (const std::size_t i : {0u, 2u}) {
+    CHECK(contracts[i].front().contestant->clipper == "textbook");
+    CHECK(contracts[i + 1].front().contestant->contract == Contract::number);
+    for (const Entry& e : contracts[i]) {
+      CHECK(e.from == (i == 0 ? InputFrom::memory : InputFrom::cache));
+    }
+  }
   for (const std::vector<Entry>& entries : contracts) {
     bool any = false;
     for (const Entry& e : entries) {

@@ -123,6 +123,44 @@ TEST_CASE("results: the README begins with the answers, if the run has them") {
   CHECK(contains(with, "\n\n- [report.html](report.html) "));
 }
 
+namespace {
+
+// A finding, README and page of a run of one timed piece.
+struct TimedRun {
+  std::string finding, readme, page;
+
+  TimedRun(const Interruptions& runs, const fs::path& folder) {
+    const auto recorder = std::make_shared<RunRecorder>(create_database({}, {}), fs::path());
+    recorder->begin({"timed", "How long?", "", "", 0, false}, 0);
+    const ExperimentContext context({}, folder, recorder);
+    Table table("times", "Times", {{"ns", "ns"}});
+    context.piece("all", {&table}, [&](PieceRecord&) { count_runs(runs); });
+    context.emit(table);
+    CHECK(context.interruptions("times") == runs);
+    CHECK(context.interruptions("untold") == Interruptions{});
+    context.finding("It takes long.");
+    finding = recorder->store().experiments().front().finding;
+    readme = results_readme(recorder->store());
+    page = report_page(recorder->store(), folder).html;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("results: a run on a busy machine says so in its findings, its README and its page") {
+  const TestFolder folder;
+  const TimedRun busy({.runs = 100, .redone = 30}, folder.path);
+  CHECK(busy.finding.starts_with("It takes long. The machine was busy"));
+  CHECK(contains(busy.readme, "30 of 100 runs under the clock lost the processor"));
+  CHECK(contains(busy.readme, "The machine was busy"));
+  CHECK(contains(busy.page, "<b>Not settled.</b>"));
+  const TimedRun quiet({.runs = 100, .redone = 3}, folder.path);
+  CHECK(quiet.finding == "It takes long.");
+  CHECK(contains(quiet.readme, "3 of 100 runs under the clock lost the processor"));
+  CHECK_FALSE(contains(quiet.page, "Not settled"));
+  CHECK(contains(quiet.page, "<dt>timing</dt><dd>3 of 100 runs"));
+}
+
 TEST_CASE("results: many pictures are a link to the folder") {
   const TestFolder folder;
   SampleRun run = sample_run({});

@@ -90,8 +90,9 @@ TEST_CASE("scenes: seed 1 gives the same bits on every platform") {
 }
 
 TEST_CASE("scenes: the random ones change with the seed") {
-  const std::string name = GENERATE("terrain", "soup", "soup_inside", "soup_outside",
-                                    "soup_straddling", "soup_behind", "slivers");
+  const std::string name =
+      GENERATE("terrain", "soup", "soup_inside", "soup_outside", "soup_straddling", "soup_behind",
+               "soup_several_planes", "slivers");
   const auto mesh = [&](std::uint64_t seed) {
     return make_builtin_scene(name, {.seed = seed, .quick = true}).mesh;
   };

@@ -45,10 +45,17 @@ std::array<bool, 6> outside_of(const Frustum<float>& f, const std::array<float, 
   return {x<f.left, x> f.right, y<f.bottom, y> f.top, depth<f.near, depth> f.far};
 }
 
+constexpr std::array kClasses = {SoupClass::inside,         SoupClass::outside,
+                                 SoupClass::straddling,     SoupClass::crossing_w0,
+                                 SoupClass::several_planes, SoupClass::several_planes_behind};
+
+// A triangle may be of two classes.
 std::map<SoupClass, int> count_classes(const Mesh& mesh, const Frustum<float>& frustum) {
   std::map<SoupClass, int> counts;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    ++counts[classify(frustum, corners_of(mesh, i))];
+    for (const SoupClass kind : kClasses) {
+      counts[kind] += is_of_class(kind, frustum, corners_of(mesh, i));
+    }
   }
   return counts;
 }
@@ -123,12 +130,49 @@ TEST_CASE("soup: triangles across w = 0 reach from inside the volume to behind t
   }
 }
 
+TEST_CASE("soup: triangles across several planes leave two by some vertex, none by all") {
+  const Frustum<float> frustum = off_centre();
+  const Mesh mesh = make_soup({.several_planes = 1}, 500, 1, frustum);
+  int behind = 0, two_or_more = 0, no_vertex_inside = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Corners t = corners_of(mesh, i);
+    if (std::ranges::any_of(t, [](const auto& p) { return p[2] > 0; })) {
+      ++behind;
+      CHECK(std::ranges::any_of(t, [](const auto& p) { return p[2] < 0; }));
+      continue;
+    }
+    std::array<int, 6> outside = {};
+    int inside = 0;
+    for (const auto& p : t) {
+      const auto of = outside_of(frustum, p);
+      for (std::size_t k = 0; k < 6; ++k) outside[k] += of[k];
+      inside += of == std::array<bool, 6>{};
+    }
+    CHECK(std::ranges::count(outside, 3) == 0);
+    two_or_more += 6 - std::ranges::count(outside, 0) >= 2;
+    no_vertex_inside += inside == 0;
+  }
+  CHECK(behind == 250);
+  CHECK(two_or_more == 250);
+  CHECK(no_vertex_inside > 25);
+}
+
+TEST_CASE("soup: in a parallel projection triangles across several planes are all of one kind") {
+  const Frustum<float> frustum = parallel();
+  auto counts =
+      count_classes(make_soup({.inside = 1, .several_planes = 1}, 200, 1, frustum), frustum);
+  CHECK(counts[SoupClass::inside] == 100);
+  CHECK(counts[SoupClass::several_planes] == 100);
+  CHECK(counts[SoupClass::several_planes_behind] == 0);
+}
+
 TEST_CASE("soup: classes come in random order, each triangle with vertices of its own") {
   const Frustum<float> frustum = off_centre();
   const Mesh mesh = make_soup({.inside = 1, .outside = 1}, 1000, 1, frustum);
   int changes = 0;
   for (std::size_t i = 0; i + 1 < mesh.triangles.size(); ++i) {
-    changes += classify(frustum, corners_of(mesh, i)) != classify(frustum, corners_of(mesh, i + 1));
+    changes += is_of_class(SoupClass::inside, frustum, corners_of(mesh, i)) !=
+               is_of_class(SoupClass::inside, frustum, corners_of(mesh, i + 1));
   }
   CHECK((400 < changes && changes < 600));
   CHECK(mesh.positions.size() == 3000);
@@ -140,6 +184,7 @@ TEST_CASE("soup: a seed gives the same bits on every platform, another seed othe
   const auto soup = [&](std::uint64_t seed) { return make_soup(shares, 100, seed, off_centre()); };
   CHECK(hash_of(soup(1)) == 0xd67f3878f85a2f5eu);
   CHECK(hash_of(soup(2)) != hash_of(soup(1)));
+  CHECK(hash_of(make_soup({.several_planes = 1}, 100, 1, off_centre())) == 0x55487f5703f5613fu);
 }
 
 TEST_CASE("soup: parallel projections and an infinite far plane have soups too") {
@@ -157,11 +202,15 @@ TEST_CASE("soup: a vertex on or next to a plane belongs to no class") {
   const Frustum<float> f = off_centre();
   const std::array<float, 3> inside = {0, 0, -2}, other = {0.1f, 0.2f, -3};
   const float right = f.right / f.near * 2;
-  const auto with = [&](float x) { return classify(f, Corners{inside, other, {x, 0, -2}}); };
-  CHECK(with(right) == SoupClass::none);
-  CHECK(with(std::nextafter(right, 0.0f)) == SoupClass::none);
-  CHECK(with(right * 0.99f) == SoupClass::inside);
-  CHECK(with(right * 1.01f) == SoupClass::straddling);
+  const auto is = [&](SoupClass kind, float x) {
+    return is_of_class(kind, f, Corners{inside, other, {x, 0, -2}});
+  };
+  for (const SoupClass kind : kClasses) {
+    CHECK(!is(kind, right));
+    CHECK(!is(kind, std::nextafter(right, 0.0f)));
+    CHECK(is(kind, right * 0.99f) == (kind == SoupClass::inside));
+    CHECK(is(kind, right * 1.01f) == (kind == SoupClass::straddling));
+  }
 }
 
 TEST_CASE("soup: a volume too thin for any triangle is refused, not searched for ever") {
@@ -177,6 +226,7 @@ TEST_CASE("soup: shares that make no soup are refused") {
   };
   CHECK(contains(refused({}, off_centre()), "all shares are 0"));
   CHECK(contains(refused({.inside = -1}, off_centre()), "a share of -1"));
+  CHECK(contains(refused({.several_planes = -1}, off_centre()), "a share of -1"));
   CHECK(contains(refused({.crossing_w0 = 1}, parallel()), "nothing can cross w = 0"));
 }
 

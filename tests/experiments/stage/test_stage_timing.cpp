@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/contestants/stage_runner.hpp"
+#include "experiments/scenes/builtin.hpp"
 #include "experiments/selection/select.hpp"
 #include "experiments/stage/stage_timing.hpp"
 #include "tests/catch.hpp"
@@ -52,12 +53,15 @@ const StageTiming* fastest_of(const StageMeasurement& m, Contract contract) {
 
 TEST_CASE("stage timing: every honest contestant has a sample per round and its own ratio") {
   const StageInput input = small_soup(5000);
-  const StageMeasurement m = measure_stage(input, stage_contestants(input), kFew);
+  const StageMeasurements both = measure_stage(input, stage_contestants(input), kFew);
+  const InputFrom from = GENERATE(InputFrom::memory, InputFrom::cache);
+  const StageMeasurement& m = both[static_cast<std::size_t>(from)];
+  CHECK(m.from == from);
   REQUIRE(m.contestants.size() > 3);
   for (const StageTiming& t : m.contestants) {
     INFO(name_of(*t.contestant) << " " << t.timing.refused);
     REQUIRE(t.timing.refused.empty());
-    CHECK(t.timing.samples_ns.size() == 5);
+    CHECK(t.timing.samples_ns.size() == (from == InputFrom::memory ? 5 : 10));
     CHECK(t.timing.ns.low > 0);
     CHECK(t.timing.speedup.value().median > 0);
     CHECK(t.limit_percent.median > 0);
@@ -78,10 +82,11 @@ TEST_CASE("stage timing: every honest contestant has a sample per round and its 
 TEST_CASE("stage timing: who draws nothing is refused, with the reason") {
   const StageInput input = small_soup();
   const Contestant nothing = lazy();
-  const StageMeasurement m =
-      measure_stage(input, {stage_contestants(input).front(), &nothing}, kFew);
-  CHECK(m.contestants[1].timing.samples_ns.empty());
-  CHECK(m.contestants[1].timing.refused.find("inside") != std::string::npos);
+  for (const StageMeasurement& m :
+       measure_stage(input, {stage_contestants(input).front(), &nothing}, kFew)) {
+    CHECK(m.contestants[1].timing.samples_ns.empty());
+    CHECK(m.contestants[1].timing.refused.find("inside") != std::string::npos);
+  }
 }
 
 TEST_CASE(
@@ -93,6 +98,65 @@ TEST_CASE(
   for (int i = 0; i < 8; ++i) task.work(task.least_share);
   REQUIRE(seen.size() == input.array_size());
   for (const std::size_t times : seen) CHECK(times == 2);
+}
+
+TEST_CASE("stage timing: runs that share a cursor never take what another one has just read") {
+  const StageInput input = random_input("soup", {.inside = 1}, 5 * kStageBlock + 5, 4, 1);
+  std::vector<std::size_t> seen;  // by both
+  const Contestant one = lazy(&seen), other = lazy(&seen);
+  const auto cursor = std::make_shared<StageCursor>();
+  const Task task = stage_task(one, input, {}, cursor),
+             rival = stage_task(other, input, {}, cursor);
+  const Task pass = memory_task(MemoryPass::read_everything, input, cursor);
+  task.work(2.0 / 6);
+  rival.work(3.0 / 6);
+  REQUIRE(seen.size() == 5 * kStageBlock);
+  for (const std::size_t times : seen) CHECK(times == 1);
+  CHECK(pass.work(2.0 / 6) == kStageBlock + 5);  // the last, which is short, and the first
+  task.work(1.0 / 6);
+  CHECK(seen[0] == 1);
+  CHECK(seen[kStageBlock] == 2);
+}
+
+TEST_CASE("stage timing: a pass over memory takes a share, around the end, or everything") {
+  const StageInput input = small_soup(3 * kStageBlock);
+  for (const MemoryPass pass : kMemoryPasses) {
+    const Task task = memory_task(pass, input);
+    CHECK(task.least_share == Approx(1.0 / 3));
+    CHECK(task.work(1.0 / 3) == kStageBlock);
+    CHECK(task.work(1) == 3 * kStageBlock);
+  }
+}
+
+TEST_CASE("stage timing: from cache a run is a block that comes after the one that made ready") {
+  const StageInput input = random_input("soup", {.inside = 1}, 5 * kStageBlock, 4, 1);
+  const std::size_t block = cached_block(input);
+  std::vector<std::size_t> seen;
+  const Contestant recorder = lazy(&seen);
+  const Task task = cached_stage_task(recorder, input, {});
+  CHECK(task.least_share == task.most_share);
+  REQUIRE(task.prepare);
+  task.prepare();
+  CHECK(seen == std::vector<std::size_t>(block, 1));
+  CHECK(task.work(task.least_share) == block);
+  CHECK(seen == std::vector<std::size_t>(2 * block, 1));
+  task.prepare();
+  CHECK(task.work(task.least_share) == block);
+  CHECK(seen == std::vector<std::size_t>(4 * block, 1));
+}
+
+TEST_CASE("stage timing: a mesh from cache comes in draws, and is timed like a soup") {
+  const Scene scene = terrain_of_levels(7, 1);
+  const StageInput input = mesh_input(scene, scene.views.front());
+  const StageMeasurements m = measure_stage(input, stage_contestants(input), kFew);
+  for (const StageMeasurement& from : m) {
+    REQUIRE(from.passes.size() == 2);
+    for (const StageTiming& t : from.contestants) {
+      INFO(name_of(*t.contestant) << " " << t.timing.refused);
+      CHECK(t.timing.is_timed());
+      CHECK(t.limit_percent.median > 0);
+    }
+  }
 }
 
 TEST_CASE("stage limits: bytes are those of the arrays") {

@@ -166,6 +166,26 @@ TEST_CASE("store: samples, worst inputs, figures, findings and notes are kept") 
       4);
 }
 
+TEST_CASE("store: runs under the clock are those of all pieces, by experiment or together") {
+  RunRecorder recorder = new_recorder({});
+  Table table = small_table();
+  const auto time = [&](const char* piece, const Interruptions& runs) {
+    recorder.record(piece, {&table}, [&](PieceRecord& record) { record.add(runs); });
+  };
+  begin(recorder, "first");
+  time("a", {.runs = 100, .redone = 7, .disturbed = 2});
+  time("b", {.runs = 50, .redone = 1});
+  time("nothing timed", {});
+  begin(recorder, "second", 1);
+  table = small_table("other");
+  time("a", {.runs = 10});
+  const ResultsStore& store = recorder.store();
+  CHECK(store.interruptions("first") == Interruptions{150, 8, 2});
+  CHECK(store.interruptions("second") == Interruptions{.runs = 10});
+  CHECK(store.interruptions("third") == Interruptions{});
+  CHECK(store.interruptions() == Interruptions{160, 8, 2});
+}
+
 TEST_CASE("store: a cell that throws leaves nothing") {
   const TestFolder folder;
   RunRecorder recorder = new_recorder(folder.store());

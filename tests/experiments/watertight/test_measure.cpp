@@ -42,9 +42,10 @@ TEST_CASE(
   CHECK(exact.identical == exact.edges);
 }
 
-TEST_CASE("watertight: a clipper that cuts from the inside end has the same bits on both sides") {
-  for (const char* name : {"homogeneous/pipeline", "homogeneous/blinn_newell",
-                           "barycentric/distance_matrix", "homogeneous/sutherland_hodgman"}) {
+TEST_CASE("watertight: a clipper that cuts from one end has the same bits on both sides") {
+  for (const char* name :
+       {"homogeneous/pipeline", "homogeneous/blinn_newell", "barycentric/distance_matrix",
+        "homogeneous/sutherland_hodgman", "homogeneous/from_inside"}) {
     INFO(name);
     const GapTally tally = measure_one(corridor(), name).row.all;
     CHECK(tally.edges > 100);
@@ -61,7 +62,7 @@ TEST_CASE(
     const Verdict expected = c->promise.watertight ? Verdict::kept : Verdict::not_promised;
     CHECK(measure_one(grazing, *c, 0).row.promise == expected);
   }
-  const Contestant& parting = find_contestant("view/sutherland_hodgman", "float");
+  const Contestant& parting = find_contestant("homogeneous/from_inside", "float");
   CHECK(measure_one(grazing, parting, 0).row.all.t_junctions > 0);
 }
 

@@ -7,6 +7,7 @@
 #include "tests/catch.hpp"
 #include "tests/spaces/batch/inputs.hpp"
 #include "tests/spaces/batch/on_every_target.hpp"
+#include "tests/spaces/hard_set.hpp"
 
 namespace clipscope::batch::tests {
 namespace {
@@ -74,6 +75,46 @@ TEST_CASE("batch: SIMD gives the bits of the plain version for any number of tri
   on_every_target([] {
     for (const std::size_t triangles : {0, 1, 2, 7, 8, 9, 255, 256, 257, 1023, 1024, 1025, 2305}) {
       check_soups(Numbers::near_volume, 4, triangles);
+    }
+  });
+}
+
+namespace {
+
+Soup hard_soup(std::size_t triangles) {
+  clipscope::tests::HardSet set(18);
+  Random random(19);
+  Soup soup{4, {}, std::vector<std::vector<float>>(12), {}, {}};
+  for (std::size_t i = 0; i < 12 * triangles; ++i) {
+    soup.attribute_values.push_back(uniform(random, -1, 1));
+  }
+  for (std::size_t v = 0; v < 3 * triangles; ++v) {
+    soup.indices.push_back(static_cast<std::uint32_t>(v));
+  }
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const clipscope::tests::HardTriangle triangle = set.next();
+    for (std::size_t v = 0; v < 3; ++v) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        soup.vertices.push_back(triangle[v][c]);
+        soup.coordinates[4 * v + c].push_back(triangle[v][c]);
+      }
+      const auto from = soup.attribute_values.begin() + static_cast<std::ptrdiff_t>(12 * t + 4 * v);
+      soup.vertices.insert(soup.vertices.end(), from, from + 4);
+    }
+  }
+  return soup;
+}
+
+}  // namespace
+
+TEST_CASE("batch: SIMD gives the bits of the plain version on the hard set") {
+  const Soup soup = hard_soup(20000);
+  on_every_target([&] {
+    for (const Method method : kStageMethods) {
+      for (const DepthRange depth : kDepths) {
+        INFO(name(method) << ", depth " << static_cast<int>(depth));
+        check_twins(method, {.depth = depth}, soup.array());
+      }
     }
   });
 }

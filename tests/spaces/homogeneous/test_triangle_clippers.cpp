@@ -72,16 +72,16 @@ TEST_CASE("mcguire: a vertex on the plane makes no second copy of itself") {
 }
 
 TEST_CASE("nearer end: a cut next to the outside end has what that end has") {
-  CHECK(error_at_the_cut<HomogeneousNearerEnd>() < 0x1p-20);
+  CHECK(error_at_the_cut<HomogeneousSutherlandHodgman>() < 0x1p-20);
   CHECK(error_at_the_cut<HomogeneousFromOutside>() < 0x1p-20);
-  CHECK(error_at_the_cut<HomogeneousSutherlandHodgman>() > 0x1p-6);
+  CHECK(error_at_the_cut<HomogeneousFromInside>() > 0x1p-6);
 }
 
-TEST_CASE("nearer end: a cut next to the inside end has the bits of Sutherland-Hodgman") {
+TEST_CASE("nearer end: a cut next to the inside end is made from that end") {
   const Corners corners = {{{0.75, 0.3, 0.1, 1}, {4, -0.7, 0.2, 1.5}, {0.5, -0.3, 0.7, 0.9}}};
   const auto triangle = clip_triangle<float>(corners);
-  CHECK(same_polygon(clip<HomogeneousNearerEnd>(triangle),
-                     clip<HomogeneousSutherlandHodgman>(triangle)));
+  CHECK(same_polygon(clip<HomogeneousSutherlandHodgman>(triangle),
+                     clip<HomogeneousFromInside>(triangle)));
   CHECK_FALSE(same_polygon(clip<HomogeneousFromOutside>(triangle),
                            clip<HomogeneousSutherlandHodgman>(triangle)));
 }

@@ -7,7 +7,7 @@
 //   Fraction  numerator / denominator of two dyadics: a value whose last operation is a quotient
 //   Rational  a canonical rational number, for comparing with other exact computations
 //
-// Rational is GMP's mpq_class with CGAL's number traits. CGAL::Exact_rational would be the same
+// Rational gets CGAL's number traits here. CGAL::Exact_rational would be the same
 // type here, but its header reads every other exact number that there is, which every source would
 // pay for. Source of Dyadic: CGAL::Mpzf (M. Glisse). Each value owns its memory, so values may be
 // used by many threads at once, as ints may.
@@ -18,13 +18,14 @@
 
 #include <concepts>
 
+#include "reference/rational.hpp"
+
 #ifndef CGAL_HAS_MPZF
 #error "clipscope's reference needs CGAL::Mpzf: GMP 4.3 or newer with 64-bit limbs"
 #endif
 
 namespace clipscope::reference {
 
-using Rational = mpq_class;
 using Dyadic = CGAL::Mpzf;
 
 // numerator / denominator, not reduced. Invariant: denominator > 0.

@@ -13,12 +13,13 @@
 #include <cmath>
 #include <concepts>
 
+#include "spaces/rounding.hpp"
 #include "spaces/scalar.hpp"
 
 namespace clipscope {
 
 inline float sum_of_products(const float& a, const float& b, const float& c, const float& d) {
-  return static_cast<float>(static_cast<double>(a) * b + static_cast<double>(c) * d);
+  return rounded_to_float(static_cast<double>(a) * b + static_cast<double>(c) * d);
 }
 
 inline double sum_of_products(const double& a, const double& b, const double& c, const double& d) {

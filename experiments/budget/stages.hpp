@@ -31,7 +31,9 @@
 #include "experiments/contestants/contestant.hpp"
 #include "experiments/machine/progress.hpp"
 #include "experiments/table/statistics.hpp"
+#include "reference/exact_clip.hpp"
 #include "reference/fraction.hpp"
+#include "reference/truth.hpp"
 
 namespace clipscope::experiments::budget {
 

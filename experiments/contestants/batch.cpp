@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/contestants/batch.hpp"
 
+#include "reference/truth.hpp"
+
 namespace clipscope::experiments {
 
 std::size_t Batch::size() const {

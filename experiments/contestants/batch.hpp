@@ -12,10 +12,14 @@
 
 #include "experiments/contestants/scalars.hpp"
 #include "experiments/scenes/scene.hpp"
-#include "reference/truth.hpp"
 #include "spaces/projection.hpp"
 #include "spaces/vertex.hpp"
 #include "spaces/volume.hpp"
+
+namespace clipscope::reference {
+class Truth;
+struct InputVertex;
+}  // namespace clipscope::reference
 
 namespace clipscope::experiments {
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/fraction.hpp"
+
 namespace clipscope::experiments {
 
 double Format::unit_roundoff() const { return is_exact() ? 0 : std::ldexp(1.0, -precision); }
@@ -25,5 +27,7 @@ double Format::smallest() const {
   return is_float() ? double{std::numeric_limits<float>::denorm_min()}
                     : std::numeric_limits<double>::denorm_min();
 }
+
+double nearest_double(const Exact& x) { return reference::round_to<double>(x); }
 
 }  // namespace clipscope::experiments

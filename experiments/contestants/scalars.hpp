@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "reference/exact_clip.hpp"
+#include "reference/rational.hpp"
 #include "spaces/clipper.hpp"
 #include "spaces/counting.hpp"
 #include "spaces/projection.hpp"
@@ -110,7 +110,7 @@ bool is_finite(const NdcVertex<T, K>& v) {
 inline double nearest_double(float x) { return x; }
 inline double nearest_double(double x) { return x; }
 inline double nearest_double(const dd_real& x) { return x.x[0] + x.x[1]; }
-inline double nearest_double(const Exact& x) { return reference::round_to<double>(x); }
+double nearest_double(const Exact& x);
 inline double nearest_double(const Counted& x) { return x.value(); }
 
 // value + rest, each the nearest double to what is there to hold: an error of at most 2^-106 of the

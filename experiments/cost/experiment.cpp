@@ -4,6 +4,7 @@
 // the time goes; then the same for clippers that are a stage of a renderer.
 #include <fmt/format.h>
 
+#include "experiments/cost/flags.hpp"
 #include "experiments/cost/rows.hpp"
 #include "experiments/machine/machine.hpp"
 #include "experiments/machine/progress.hpp"
@@ -113,6 +114,7 @@ void run_growth(const ExperimentContext& context) {
 void run(const ExperimentContext& context) {
   const std::string full = run_full(context), stage = run_stage(context);
   run_growth(context);
+  run_flags(context);
   context.finding(full + (stage.empty() ? "" : " " + stage));
 }
 

@@ -18,13 +18,12 @@
 // divide. Clippers whose cut and divide are one pass (barycentric) or that do not cut (whole) have
 // no split, nor have homogeneous/pipeline and homogeneous/blinn_newell, of which the compiler makes
 // slower code without the divide.
-#include "experiments/cost/rows.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "experiments/contestants/typed.hpp"
+#include "experiments/cost/rows.hpp"
+#include "experiments/cost/steps.hpp"
 #include "experiments/selection/select.hpp"
 #include "experiments/survey/contest_clock.hpp"
 
@@ -35,78 +34,6 @@ constexpr std::size_t kChecked = 64;  // triangles of each view
 
 constexpr std::array<std::string_view, 4> kClippers = {
     "textbook", "view/sutherland_hodgman", "homogeneous/sutherland_hodgman", "cvv/near_first"};
-
-template <class T>
-using Block = std::span<const ViewTriangle<T, kSceneAttributes>>;
-template <class T>
-using Positions = std::vector<ClipTriangle<T, 0>>;
-template <class T>
-using ClipPolygons = PolygonStream<T, kSceneAttributes, Space::clip>;
-
-// Positions alone, to clip space or on to NDC.
-template <class T, bool kDivide>
-void transform(const Projection<T>& projection, Block<T> block, Positions<T>& out) {
-  out.resize(block.size());
-  for (std::size_t i = 0; i < block.size(); ++i) {
-    for (std::size_t v = 0; v < 3; ++v) {
-      const Vec4<T> clip = to_clip(projection, block[i][v].position);
-      out[i][v].position = kDivide ? to_ndc(clip) : clip;
-    }
-  }
-}
-
-template <class T>
-void cut_and_transform(const Projection<T>& projection, Block<T> block, ClipPolygons<T>& out) {
-  ClipPolygon<T, kSceneAttributes> polygon;
-  out.clear();
-  for (const auto& triangle : block) {
-    polygon.clear();
-    for (const auto& v : ViewSutherlandHodgman::cut(projection, triangle)) {
-      polygon.push_back(to_clip(projection, v));
-    }
-    out.append(polygon);
-  }
-}
-
-// A run of steps that are not a contestant's. Its answers are positions alone.
-template <class T, class Out>
-class StepRunner final : public Runner {
- public:
-  using Steps = void (*)(const Projection<T>&, Block<T>, Out&);
-
-  StepRunner(Steps steps, std::span<const Batch> batches) : steps_(steps) {
-    for (const Batch& batch : batches) {
-      projections_.push_back(projection_in<T>(batch));
-      triangles_.push_back(simplices_in<Space::view, T, kSceneAttributes, 3>(batch));
-    }
-  }
-  void clip(std::size_t batch, std::size_t first, std::size_t count) override {
-    steps_(projections_[batch], Block<T>(triangles_[batch]).subspan(first, count), out_);
-  }
-  Answers answers() const override {
-    Answers answers(kFormat<T>, 4);
-    for (std::size_t i = 0; i < out_.size(); ++i) {
-      for (const auto& v : out_[i]) {
-        for (int c = 0; c < 4; ++c) answers.add(v.position[c]);
-      }
-      answers.end_polygon();
-    }
-    return answers;
-  }
-
- private:
-  Steps steps_;
-  std::vector<Projection<T>> projections_;
-  std::vector<std::vector<ViewTriangle<T, kSceneAttributes>>> triangles_;
-  Out out_;
-};
-
-template <class T, class Out>
-Contestant contestant_of(void (*steps)(const Projection<T>&, Block<T>, Out&)) {
-  return {.prepare = [=](std::span<const Batch> batches) -> std::unique_ptr<Runner> {
-    return std::make_unique<StepRunner<T, Out>>(steps, batches);
-  }};
-}
 
 // A clipper's parts in its own order, and the runs up to the first and up to the second.
 struct Steps {
@@ -120,13 +47,13 @@ struct Steps {
 
 template <class T>
 Steps steps_of(const Contestant& whole) {
-  const Contestant transformed = contestant_of(transform<T, false>);
+  const Contestant transformed = transforming<T>(Space::clip);
   if (whole.clipper.starts_with("cvv/")) {
-    return {{"transform", "divide", "cut"}, {transformed, contestant_of(transform<T, true>)}};
+    return {{"transform", "divide", "cut"}, {transformed, transforming<T>(Space::ndc)}};
   }
   const Contestant& cut = *find_in_contract(whole.clipper, whole.scalar(), Contract::cut);
   if (whole.clipper.starts_with("view/")) {
-    return {{"cut", "transform", "divide"}, {cut, contestant_of(cut_and_transform<T>)}};
+    return {{"cut", "transform", "divide"}, {cut, cutting_and_transforming<T>()}};
   }
   return {{"transform", "cut", "divide"}, {transformed, cut}};
 }

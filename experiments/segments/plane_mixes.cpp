@@ -10,6 +10,7 @@
 #include "experiments/scenes/random.hpp"
 #include "experiments/segments/clip_segments.hpp"
 #include "experiments/segments/mixes.hpp"
+#include "reference/truth.hpp"
 
 namespace clipscope::experiments::segments {
 namespace {

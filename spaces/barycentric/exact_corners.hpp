@@ -20,6 +20,7 @@
 #include "spaces/barycentric/exact_lines.hpp"
 #include "spaces/planes.hpp"
 #include "spaces/polygon.hpp"
+#include "spaces/rounding.hpp"
 
 namespace clipscope::barycentric {
 
@@ -207,7 +208,7 @@ void set_attributes(const Meeting& m, const Divisor& sum, const Triangle<S, floa
     if (is_finite(a[0] + a[1] + a[2])) {
       out[k] = rounded_quotient(m, a, sum, count);
     } else {
-      out[k] = static_cast<float>(dot(m, a).value / sum.dot.value);
+      out[k] = rounded_to_float(dot(m, a).value / sum.dot.value);
     }
   }
 }

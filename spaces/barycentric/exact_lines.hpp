@@ -50,6 +50,7 @@
 
 #include "spaces/expansion.hpp"
 #include "spaces/planes.hpp"
+#include "spaces/rounding.hpp"
 
 namespace clipscope::barycentric {
 
@@ -194,8 +195,8 @@ template <class Count>
 float round_quotient(const ExactDot& numerator, const ExactDot& denominator, Count& count) {
   const int sign = numerator.sign();
   const double q = std::abs(numerator.largest() / denominator.largest());
-  const float low = static_cast<float>(q * (1 - 0x1p-50));
-  const float high = static_cast<float>(q * (1 + 0x1p-50));
+  const float low = rounded_to_float(q * (1 - 0x1p-50));
+  const float high = rounded_to_float(q * (1 + 0x1p-50));
   if (sign == 0 || low == high) {
     count(Stage::quotient_exact);
     return sign < 0 ? -low : low;
@@ -244,7 +245,7 @@ float rounded_quotient(const Bounded& n, const Divisor& by, double inverse_scale
   const double reciprocal = by.reciprocal * inverse_scale;
   const double q = n.value * reciprocal, magnitude = std::abs(q);
   const double error = (n.error * reciprocal + magnitude * by.relative_error) * (1 + 0x1p-18);
-  const float low = static_cast<float>(q - error), high = static_cast<float>(q + error);
+  const float low = rounded_to_float(q - error), high = rounded_to_float(q + error);
   if (magnitude >= 0x1p-900 &&
       std::bit_cast<std::uint32_t>(low) == std::bit_cast<std::uint32_t>(high)) {
     count(Stage::quotient_filtered);

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "spaces/counting.hpp"
+#include "spaces/rounding.hpp"
 #include "spaces/window/convex_window.hpp"
 
 namespace clipscope {
@@ -48,13 +49,13 @@ class DualSubdivision {
     for (int c = 0; c < 2; ++c) {
       double sum = 0;
       for (std::size_t i = 0; i < window.size(); ++i) sum += to_double(window.vertex(i)[c]);
-      centre_[c] = T(static_cast<float>(sum / static_cast<double>(window.size())));
+      centre_[c] = T(rounded_to_float(sum / static_cast<double>(window.size())));
     }
     double reach = 0;
     for (std::size_t i = 0; i < window.size(); ++i) {
       reach = std::max(reach, std::abs(offset(window, i, 0)) + std::abs(offset(window, i, 1)));
     }
-    reach_ = T(static_cast<float>(reach * 1.0001));
+    reach_ = T(rounded_to_float(reach * 1.0001));
     cells_per_slope_ = T(static_cast<float>(cells)) / T(2);
     cells_per_offset_ = cells_per_slope_ / reach_;
     starts_.assign(2 * cells * cells + 1, 0);

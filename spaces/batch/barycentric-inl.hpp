@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// One straddling triangle whose new vertices come from its three own ones, in double: value =
-// sum lambda_i v_i / sum lambda_i, in SIMD over the coordinates and attributes of a vertex.
+// Straddling triangles whose new vertices come from their three own ones, in double: value =
+// sum lambda_i v_i / sum lambda_i, in SIMD over the coordinates and attributes of a vertex. What
+// that takes but the vertices comes from one_plane-inl.hpp and corners-inl.hpp.
 //
 // kCertain, of floats only: the value of each float is known to within a proved bound, and the
-// floats nearest to both ends of that interval are the same; else the plain version writes the
-// vertex again, with expansions. If already a decision is in doubt the triangle is handed back.
+// floats nearest to both ends of that interval are the same. Else, where one plane cuts, the value
+// is compared with the midpoint of the two by fused multiplications; what that leaves open the
+// plain version writes again, with expansions. If already a decision is in doubt the triangle is
+// handed back.
 //
 // Lemma (one plane). lambda of an edge is (-d_out, d_in), both positive: doubles within u = 2^-53
 // of the exact distances, relatively. The products of lambda and floats a and b carry one rounding
@@ -14,10 +17,21 @@
 // max(|a|, |b|), a convex combination being no larger. 16 u covers that, the terms of higher order
 // and the rounding of the interval's ends. Nothing under- or overflows: exact_lines.hpp.
 //
-// The mean of equal values is their value where two planes meet, whose sums may cancel.
+// Lemma (a corner). With N and the 12 u of corners-inl.hpp, which covers the fewer roundings of
+// floats in the place of a line's entries as well, the numerator is within 12 u N N max |v_i| and
+// the sum of lambda within 12 u N N. If that sum is certain to twenty bits the quotient is within
+// twice 12 u N N over it, times max |v_i|, as in `rounded_quotient`: 1 + 2^-17 covers the
+// denominator's own error and the roundings of this bound, 2^-50 those of the reciprocal, the
+// quotient and the ends. At an edge of the triangle the third weight is exactly 0, and the largest
+// magnitude that of its ends.
 //
-// Several planes: corners-inl.hpp. The methods give the bits of their plain twins: the same
-// operations in the same order.
+// Lemma (a tie). Between neighbouring floats with the midpoint m, the mean of a and b is above m if
+// of_a (a - m) + of_b (b - m) > 0. Where the weights and both differences are exact, so is each
+// product as head + tail of a fused multiplication. Heads that do not cancel decide, rounding being
+// monotone; else the tails do.
+//
+// The mean of equal values is their value where two planes meet, whose sums may cancel. The methods
+// give the bits of their plain twins: without certainty by the same operations in the same order.
 #if defined(CLIPSCOPE_BATCH_BARYCENTRIC_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_BARYCENTRIC_INL
 #undef CLIPSCOPE_BATCH_BARYCENTRIC_INL

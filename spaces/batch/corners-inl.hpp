@@ -6,15 +6,16 @@
 // A polygon is a list of lines, in order: corner i is where line i goes over to line i + 1. Of each
 // corner there is a code, of the planes that it is outside of, found when the corner is made. Both
 // lists are eight bytes in a lane, so that shifts turn them and a mask finds the one run of corners
-// outside a plane: there is no branch for a triangle, and what takes a plane's place is computed for
-// all lanes at once.
+// outside a plane: there is no branch for a triangle, and the corners that take the place of those
+// are computed for all lanes at once.
 //
 // A corner's side of a plane is certain if the determinant is larger than its bound; a determinant
 // of 0 is handed back, too, and so is a polygon of more than eight corners.
 //
-// Lemma (sides). The bound of exact_lines.hpp is 10 u M in clip space, M being the sum of magnitudes
-// of the determinant's six products. With N of a line the sum of the magnitudes of its entries, M <=
-// N_a N_b N_c; each N has two roundings and their products two more, which 12 u covers.
+// Lemma (sides). The bound of exact_lines.hpp is 10 u M in clip space, M being the sum of the
+// magnitudes of the determinant's six products. With N of a line the sum of the magnitudes of its
+// entries, M <= N_a N_b N_c; each N has two roundings and their products two more, which 12 u
+// covers.
 #if defined(CLIPSCOPE_BATCH_CORNERS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_CORNERS_INL
 #undef CLIPSCOPE_BATCH_CORNERS_INL
@@ -277,8 +278,8 @@ class CornerLanes {
     return hn::Add(hn::Add(hn::Abs(a.at[0]), hn::Abs(a.at[1])), hn::Abs(a.at[2]));
   }
 
-  // The code of the meeting of a plane and a line, of the planes after it; where that is not certain is
-  // added to `unknown`.
+  // The code of the meeting of a plane and a line, of the planes after it; where that is not
+  // certain is added to `unknown`.
   HWY_INLINE Bytes code_of(int place, Bytes line, bool enters, Mask& unknown) const {
     const int p = used_[place];
     const Row a = row_of(line), b = row_of_plane(p);

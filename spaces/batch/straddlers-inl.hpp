@@ -73,6 +73,33 @@ struct Survivor {
   unsigned any() const { return all.any[i]; }
 };
 
+// Those that one plane cuts, with their splits, which are computed for the next ones together.
+template <class SplitsOf, class Plane>
+class SplitQueue {
+ public:
+  explicit SplitQueue(const std::array<Plane, kPlanes>& planes) : by_bit_(planes) {}
+
+  void begin(const Cuts& cuts) { queue_.begin(cuts.one); }
+
+  // The place of the next one among the splits.
+  template <class At>
+  HWY_INLINE std::size_t next(const Survivor<At>& s) {
+    return queue_.next([&](std::span<const std::size_t> members) {
+      splits_.clear();
+      for (const std::size_t i : members) {
+        splits_.add(by_bit_[s.all.any[i]], [&](int v, int c) { return s.at(i, v)[c]; });
+      }
+      splits_.compute();
+    });
+  }
+  const SplitsOf& splits() const { return splits_; }
+
+ private:
+  const PlanesByBit<Plane> by_bit_;
+  SplitsOf splits_;
+  LaneQueue<kMostSplits> queue_;
+};
+
 // Cuts from plane to plane, a triangle at a time; where one plane cuts, edges of several at once.
 template <class M, class S, class V>
 class ChainCuts {
@@ -81,21 +108,15 @@ class ChainCuts {
   using Limits = std::conditional_t<kIsView<M>, ViewLimits, ClipLimits>;
 
   ChainCuts(const S& shape, const Limits& limits, const Planes& planes, DepthRange)
-      : chain_{shape, limits, planes}, by_bit_(planes) {}
+      : chain_{shape, limits, planes}, ones_(planes) {}
 
-  void begin(const Cuts& cuts) { ones_.begin(cuts.one); }
+  void begin(const Cuts& cuts) { ones_.begin(cuts); }
 
   template <class At>
   HWY_INLINE int cut_one(const Survivor<At>& s, const V* const vertex[3], const PlaneOf<M>&, V* out,
                          Tally&) {
-    const std::size_t lane = ones_.next([&](std::span<const std::size_t> members) {
-      splits_.clear();
-      for (const std::size_t i : members) {
-        splits_.add(by_bit_[s.all.any[i]], [&](int v, int c) { return s.at(i, v)[c]; });
-      }
-      splits_.compute();
-    });
-    return s.moderate ? chain_.cut_one_plane(vertex, splits_[lane], out) : kGiveUp;
+    const std::size_t place = ones_.next(s);
+    return s.moderate ? chain_.cut_one_plane(vertex, ones_.splits()[place], out) : kGiveUp;
   }
   template <class At>
   HWY_NOINLINE int cut_several(const Survivor<At>& survivor, const V* const vertex[3], V* out,
@@ -107,9 +128,7 @@ class ChainCuts {
   using Number = typename M::Number;
 
   const Chain<Number, S, Limits, PlaneOf<M>> chain_;
-  const PlanesByBit<PlaneOf<M>> by_bit_;
-  EdgeSplits<Number, V> splits_;
-  LaneQueue<kMostSplits> ones_;
+  SplitQueue<EdgeSplits<Number, V>, PlaneOf<M>> ones_;
 };
 
 // The same, a triangle in each lane, as far as that goes.
@@ -161,24 +180,19 @@ class OriginalCuts {
   using Planes = std::array<CodePlane, kPlanes>;
 
   OriginalCuts(const S& shape, const ClipLimits&, const Planes& planes, DepthRange depth)
-      : shape_(shape), planes_(planes), by_bit_(planes), depth_(depth) {}
+      : shape_(shape), planes_(planes), depth_(depth), ones_(planes) {}
 
   void begin(const Cuts& cuts) {
-    ones_.begin(cuts.one);
+    ones_.begin(cuts);
     others_.begin(cuts.other);
   }
 
   template <class At>
   HWY_INLINE int cut_one(const Survivor<At>& s, const V* const vertex[3], const CodePlane& plane,
                          V* out, Tally& tally) {
-    const std::size_t lane = ones_.next([&](std::span<const std::size_t> members) {
-      splits_.clear();
-      for (const std::size_t i : members) {
-        splits_.add(by_bit_[s.all.any[i]], [&](int v, int c) { return s.at(i, v)[c]; });
-      }
-      splits_.compute();
-    });
-    return s.moderate ? way(tally).cut_one_plane(vertex, plane, splits_, lane, out) : kGiveUp;
+    const std::size_t place = ones_.next(s);
+    if (!s.moderate) return kGiveUp;
+    return way(tally).cut_one_plane(vertex, plane, ones_.splits(), place, out);
   }
 
   template <class At>
@@ -201,10 +215,8 @@ class OriginalCuts {
 
   const S& shape_;
   const Planes& planes_;
-  const PlanesByBit<CodePlane> by_bit_;
   const DepthRange depth_;
-  Splits<double, V> splits_;
-  LaneQueue<kMostSplits> ones_;
+  SplitQueue<Splits<double, V>, CodePlane> ones_;
   Lanes corners_;
   LaneQueue<Lanes::kLanes> others_;
 };

@@ -48,8 +48,8 @@ Judgement judge(const Claim& claim, const Results::Source& tables, const RunsBeh
   if (judgement.verdict == Verdict::undecided || !behind.is_busy()) return judgement;
   judgement.verdict = Verdict::unsettled;
   judgement.because = fmt::format(
-      "The machine was busy when this was timed: {:.0f} % of the runs were interrupted.",
-      behind.percent());
+      "The machine was busy when this was timed: {:.0f} % of the runs were interrupted, and other programs took {:.0f} % of the processors.",
+      behind.percent(), behind.others_percent());
   return judgement;
 }
 

@@ -111,6 +111,7 @@ std::vector<Timing> time_in_turn(std::span<const Task> tasks, const ClockOptions
     shares[i] = fitting_share(tasks[i], options.milliseconds_per_run * 1e6);
     racing.push_back(i);
   }
+  const ProcessorTime before = processor_time();
   const MeasuringThread measuring;
   Random random(options.seed);
   for (std::size_t round = 0; round < static_cast<std::size_t>(options.rounds); ++round) {
@@ -122,6 +123,8 @@ std::vector<Timing> time_in_turn(std::span<const Task> tasks, const ClockOptions
     random.shuffle(std::span(turns));
     run_round(tasks, shares, std::move(turns), timings);
   }
+  const ProcessorTime after = processor_time();
+  count_runs({.seconds = after.all - before.all, .others_seconds = after.others - before.others});
   add_figures(options, timings);
   return timings;
 }

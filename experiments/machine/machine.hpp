@@ -22,9 +22,8 @@ std::size_t level2_cache_bytes();
 // How times are measured: frequency governor and scheduling class.
 std::string measuring_conditions();
 
-// These, and what else the machine did since the program started: share of the processors' time
-// that other programs took (a hypervisor's other machines, too), runs under the clock that lost the
-// processor.
+// These, and of what was timed so far the runs that lost the processor and the share of the
+// processors that other programs took meanwhile (a hypervisor's other machines, too).
 std::string machine_state();
 
 // One line: the machine, compiler and version, flags, commit. Of what was timed also its state.

@@ -3,17 +3,20 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 
 #include "experiments/machine/errors.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
-// One in ten: beyond, half of the runs of a round or more had a neighbour that was interrupted, and
-// whoever interrupted them left its own data in the caches.
+// One in ten, of runs that were interrupted and of the time of processors: beyond, whoever took it
+// has a part in what caches and memory do in most rounds.
 constexpr double kMostPercent = 10;
 
 bool in_real_time = false;
@@ -37,7 +40,38 @@ bool pin_to(int processor) {
   return sched_setaffinity(0, sizeof one, &one) == 0;
 }
 
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+// Of this process and the children that it waited for.
+double own_seconds() {
+  double seconds = 0;
+  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage{};
+    getrusage(who, &usage);
+    seconds += seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+  }
+  return seconds;
+}
+
 }  // namespace
+
+ProcessorTime processor_time() {
+  ProcessorTime time;
+  std::ifstream stat("/proc/stat");
+  std::string name;
+  if (!(stat >> name) || name != "cpu") return time;
+  // user nice system idle iowait irq softirq steal; what follows is part of these (proc(5)).
+  double ticks = 0;
+  for (int i = 0; i < 8 && stat >> ticks; ++i) {
+    const double seconds = ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+    time.all += seconds;
+    if (i != 3 && i != 4) time.others += seconds;
+  }
+  time.others -= own_seconds();
+  return time;
+}
 
 void measure_in_real_time() {
   in_real_time = true;
@@ -82,24 +116,38 @@ double Interruptions::percent() const {
   return runs == 0 ? 0 : 100 * interrupted / static_cast<double>(runs);
 }
 
-bool Interruptions::is_busy() const { return percent() > kMostPercent; }
+double Interruptions::others_percent() const {
+  // The system counts in ticks, and not all at the same moment: less is nothing.
+  return seconds <= 0 ? 0 : 100 * std::clamp(others_seconds / seconds, 0.0, 1.0);
+}
+
+bool Interruptions::is_busy() const {
+  return percent() > kMostPercent || others_percent() > kMostPercent;
+}
 
 std::string Interruptions::text() const {
   const std::int64_t lost = redone + disturbed;
-  const std::string text = fmt::format("{} of {} runs under the clock lost the processor",
-                                       lost == 0 ? "none" : std::to_string(lost), runs);
-  if (lost == 0) return text;
-  if (disturbed == 0) return text + (redone == 1 ? " and was done again" : " and were done again");
-  return fmt::format("{}: {} done again, {} kept all the same", text, redone, disturbed);
+  std::string text = fmt::format("{} of {} runs under the clock lost the processor",
+                                 lost == 0 ? "none" : std::to_string(lost), runs);
+  if (disturbed > 0) {
+    text += fmt::format(": {} done again, {} kept all the same", redone, disturbed);
+  } else if (lost > 0) {
+    text += redone == 1 ? " and was done again" : " and were done again";
+  }
+  if (seconds <= 0) return text;
+  return text + fmt::format("; other programs took {:.0f} % of the processors meanwhile",
+                            others_percent());
 }
 
 Interruptions operator+(const Interruptions& a, const Interruptions& b) {
-  return {a.runs + b.runs, a.redone + b.redone, a.disturbed + b.disturbed};
+  return {a.runs + b.runs, a.redone + b.redone, a.disturbed + b.disturbed, a.seconds + b.seconds,
+          a.others_seconds + b.others_seconds};
 }
 
 Interruptions operator-(const Interruptions& later, const Interruptions& earlier) {
   return {later.runs - earlier.runs, later.redone - earlier.redone,
-          later.disturbed - earlier.disturbed};
+          later.disturbed - earlier.disturbed, later.seconds - earlier.seconds,
+          later.others_seconds - earlier.others_seconds};
 }
 
 std::string busy_text(const Interruptions& interruptions) {

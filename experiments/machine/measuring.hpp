@@ -45,16 +45,28 @@ class MeasuringThread {
 // started: its involuntary context switches.
 std::int64_t involuntary_switches();
 
-// Runs under a clock, and those of them that lost the processor.
+// Time of all processors together since the machine started, in seconds; 0 where it isn't known.
+struct ProcessorTime {
+  double all = 0;
+  double others = 0;  // busy, and neither for this process nor for children that it waited for
+};
+ProcessorTime processor_time();
+
+// Runs under a clock, those of them that lost the processor, and the company that they had.
 struct Interruptions {
   std::int64_t runs = 0;       // all of them, those that were done again, too
   std::int64_t redone = 0;     // were done again and do not count
   std::int64_t disturbed = 0;  // lost it each time that they were done again, and count
+  // Of all processors, while the rounds went on. Another program takes its share of caches, memory
+  // and, where two processors are threads of one core, of that, too.
+  double seconds = 0, others_seconds = 0;
 
   double percent() const;
+  double others_percent() const;
   // Then times and their ratios may move, and settle nothing.
   bool is_busy() const;
-  // "12 of 3400 runs under the clock lost the processor and were done again".
+  // "12 of 3400 runs under the clock lost the processor and were done again; other programs took
+  // 3 % of the processors meanwhile".
   std::string text() const;
 
   friend bool operator==(const Interruptions&, const Interruptions&) = default;

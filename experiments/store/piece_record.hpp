@@ -57,8 +57,10 @@ struct PieceRecord {
   void add(const Interruptions& runs) {
     if (runs.runs == 0) return;
     const auto value = [](std::int64_t count) { return static_cast<double>(count); };
-    samples.push_back(
-        {kRunSeries, "runs", {value(runs.runs), value(runs.redone), value(runs.disturbed)}});
+    samples.push_back({kRunSeries,
+                       "runs and seconds",
+                       {value(runs.runs), value(runs.redone), value(runs.disturbed), runs.seconds,
+                        runs.others_seconds}});
   }
 };
 

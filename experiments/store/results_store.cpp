@@ -95,9 +95,9 @@ Interruptions ResultsStore::interruptions(const std::string& experiment) const {
   const auto sums = read<double, 1>(
       "SELECT total(s.value) FROM sample s JOIN cell c ON c.id = s.cell_id WHERE s.series = ? AND ? IN ('', c.experiment) GROUP BY s.position ORDER BY s.position",
       {kRunSeries, experiment});
-  if (sums.size() != 3) return {};
+  if (sums.size() != 5) return {};
   const auto count = [&](std::size_t i) { return static_cast<std::int64_t>(sums[i]); };
-  return {count(0), count(1), count(2)};
+  return {count(0), count(1), count(2), sums[3], sums[4]};
 }
 
 }  // namespace clipscope::experiments

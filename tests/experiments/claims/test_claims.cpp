@@ -123,7 +123,10 @@ TEST_CASE("claims: what rests on times of a busy machine is not settled, and the
     CHECK(judge(claim, tables, quiet).verdict == before.verdict);
     CHECK(after.evidence.size() == before.evidence.size());
     verdicts.insert(after.verdict);
-    if (claim.experiment == "cost" && before.verdict == Verdict::confirmed) {
+    constexpr int kCounts = 19;  // operations, and times nothing
+    if (claim.number == kCounts) CHECK(after.verdict == before.verdict);
+    if (claim.experiment == "cost" && claim.number != kCounts &&
+        before.verdict == Verdict::confirmed) {
       INFO("claim " << claim.number);
       CHECK(after.verdict == Verdict::unsettled);
       CHECK(faults_of_prose(after.because).empty());

@@ -173,17 +173,17 @@ TEST_CASE("store: runs under the clock are those of all pieces, by experiment or
     recorder.record(piece, {&table}, [&](PieceRecord& record) { record.add(runs); });
   };
   begin(recorder, "first");
-  time("a", {.runs = 100, .redone = 7, .disturbed = 2});
+  time("a", {.runs = 100, .redone = 7, .disturbed = 2, .seconds = 4, .others_seconds = 0.5});
   time("b", {.runs = 50, .redone = 1});
   time("nothing timed", {});
   begin(recorder, "second", 1);
   table = small_table("other");
   time("a", {.runs = 10});
   const ResultsStore& store = recorder.store();
-  CHECK(store.interruptions("first") == Interruptions{150, 8, 2});
+  CHECK(store.interruptions("first") == Interruptions{150, 8, 2, 4, 0.5});
   CHECK(store.interruptions("second") == Interruptions{.runs = 10});
   CHECK(store.interruptions("third") == Interruptions{});
-  CHECK(store.interruptions() == Interruptions{160, 8, 2});
+  CHECK(store.interruptions() == Interruptions{160, 8, 2, 4, 0.5});
 }
 
 TEST_CASE("store: a cell that throws leaves nothing") {

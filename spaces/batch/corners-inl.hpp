@@ -142,43 +142,54 @@ class CornerLanes {
     }
   }
 
-  HWY_INLINE Vec distance_of(const CodePlane& plane, int v) const {
-    return hn::Add(
-        hn::Mul(hn::Set(kD, static_cast<double>(plane.w_weight)), load(kD, positions_[v][3])),
-        hn::Mul(hn::Set(kD, static_cast<double>(plane.c_weight)),
-                load(kD, positions_[v][plane.axis])));
+  // A plane's weights: the distance is of_c c + of_other o + constant, of coordinates c and o.
+  struct Weights {
+    Vec of_c, of_other, constant;
+    int axis, other;
+  };
+  static HWY_INLINE Vec in_all_lanes(float weight) {
+    return hn::Set(kD, static_cast<double>(weight));
   }
-  HWY_INLINE Vec distance_of(const ViewCodePlane& plane, int v) const {
-    const Vec sum = hn::Add(
-        hn::Mul(hn::Set(kD, static_cast<double>(plane.own)), load(kD, positions_[v][plane.axis])),
-        hn::Mul(hn::Set(kD, static_cast<double>(plane.z_weight)), load(kD, positions_[v][2])));
-    return hn::Add(sum, hn::Set(kD, static_cast<double>(plane.constant)));
+  static HWY_INLINE Weights weights_of(const CodePlane& p) {
+    return {in_all_lanes(p.c_weight), in_all_lanes(p.w_weight), hn::Zero(kD), p.axis, 3};
+  }
+  static HWY_INLINE Weights weights_of(const ViewCodePlane& p) {
+    return {in_all_lanes(p.own), in_all_lanes(p.z_weight), in_all_lanes(p.constant), p.axis, 2};
+  }
+  HWY_INLINE Vec distance_of(const Weights& w, int v) const {
+    const Vec sum = hn::Add(hn::Mul(w.of_c, load(kD, positions_[v][w.axis])),
+                            hn::Mul(w.of_other, load(kD, positions_[v][w.other])));
+    return hn::Add(sum, w.constant);
   }
 
   // The lines and the whole triangles.
   HWY_INLINE void set_triangles(const std::array<Plane, kPlanes>& planes) {
-    codes_ = hn::Zero(kDU);
-    given_up_ = hn::MaskFromVec(codes_);
-    used_count_ = 0;
+    Bytes codes = hn::Zero(kDU);  // no store can be taken for one to these
+    Mask given_up = hn::MaskFromVec(codes);
+    int used = 0;
     for (std::size_t p = 0; p < kPlanes; ++p) {
+      const Weights weights = weights_of(planes[p]);
       Vec norm = hn::Zero(kD);
       auto on_plane = hn::MaskFromVec(norm), outside = on_plane;
       for (int v = 0; v < 3; ++v) {
-        const Vec d = distance_of(planes[p], v);
+        const Vec d = distance_of(weights, v);
         const auto is_out = hn::Lt(d, hn::Zero(kD));
         hn::Store(d, kD, lines_[3 + p][v]);
         norm = hn::Add(norm, hn::Abs(d));
         on_plane = hn::Or(on_plane, hn::Eq(d, hn::Zero(kD)));
         outside = hn::Or(outside, is_out);
-        codes_ = hn::Or(
-            codes_, hn::IfThenElseZero(as_bytes(is_out), same(std::uint64_t{1} << (8 * v + p))));
+        codes = hn::Or(codes,
+                       hn::IfThenElseZero(as_bytes(is_out), same(std::uint64_t{1} << (8 * v + p))));
       }
       hn::Store(norm, kD, norms_[p]);
-      given_up_ = hn::Or(given_up_, as_bytes(hn::And(on_plane, outside)));
+      given_up = hn::Or(given_up, as_bytes(hn::And(on_plane, outside)));
       crosses_[p] = as_bytes(outside);
-      used_[used_count_] = static_cast<int>(p);  // without a branch
-      used_count_ += !hn::AllFalse(kD, outside);
+      used_[used] = static_cast<int>(p);  // without a branch
+      used += !hn::AllFalse(kD, outside);
     }
+    codes_ = codes;
+    given_up_ = given_up;
+    used_count_ = used;
     from_ = same(0x000201);  // vertex 0 is where edge 1 goes over to edge 2
     size_ = same(24);
   }

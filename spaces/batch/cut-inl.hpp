@@ -15,6 +15,7 @@
 #endif
 
 #include <bit>
+#include <span>
 
 #include "spaces/batch/classify-inl.hpp"
 
@@ -323,9 +324,14 @@ struct Chain {
       measure(vertex[i], pool.distance[i]);
     }
     List list = kTriangle;
+    const Plane* cutting[kPlanes];
+    std::size_t count = 0;  // found without a branch
     for (const Plane& plane : planes) {
-      if ((any >> plane.bit & 1) == 0) continue;
-      if (!cut(plane, pool, list)) return kGiveUp;
+      cutting[count] = &plane;
+      count += any >> plane.bit & 1;
+    }
+    for (const Plane* plane : std::span(cutting, count)) {
+      if (!cut(*plane, pool, list)) return kGiveUp;
     }
     if (list.size < 3) return 0;
     int kept = 0;
@@ -376,7 +382,7 @@ struct Chain {
   }
 
   // The edge's meeting with the plane, unless its inside end lies on it.
-  HWY_NOINLINE void add_cut(const Plane& plane, int in, int out, Pool& pool, List& list) const {
+  HWY_INLINE void add_cut(const Plane& plane, int in, int out, Pool& pool, List& list) const {
     const T d_in = pool.distance[in][plane.bit];
     if (d_in == 0) return;
     const EdgeCut<T> cut(d_in, pool.distance[out][plane.bit]);

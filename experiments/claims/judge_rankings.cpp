@@ -19,14 +19,19 @@ namespace {
 struct TimedRow {
   std::string mix;
   std::string_view clipper;
-  const std::optional<Timing>& timing;
+  std::optional<MedianInterval> speedup;
 };
+
+template <class T>
+std::optional<MedianInterval> speedup_of(const std::optional<T>& timing) {
+  return timing ? timing->speedup : std::nullopt;
+}
 
 template <class MixRow>
 std::vector<TimedRow> timed_by_mix(const Results& results) {
   std::vector<TimedRow> rows;
   for (const MixRow& row : results.rows<MixRow>()) {
-    if (row.scalar == "float") rows.push_back({row.mix, row.clipper, row.timing});
+    if (row.scalar == "float") rows.push_back({row.mix, row.clipper, speedup_of(row.timing)});
   }
   return rows;
 }
@@ -34,7 +39,7 @@ std::vector<TimedRow> timed_by_mix(const Results& results) {
 std::vector<TimedRow> timed_by_edges(const Results& results) {
   std::vector<TimedRow> rows;
   for (const segments::ConvexRow& row : results.rows<segments::ConvexRow>()) {
-    rows.push_back({edges_name(row.edges), row.method, row.timing});
+    rows.push_back({edges_name(row.edges), row.method, speedup_of(row.timing)});
   }
   return rows;
 }
@@ -46,7 +51,7 @@ std::vector<TimedRow> timed_in_stage(const Results& results) {
     if (row.scalar != "float" || row.contract != name_of(Contract::copy)) continue;
     if (row.from != InputFrom::memory) continue;
     if (row.build == "plain" || row.clipper == "textbook") continue;
-    rows.push_back({row.mix, row.clipper, row.timing});
+    rows.push_back({row.mix, row.clipper, speedup_of(row.timing)});
   }
   return rows;
 }
@@ -65,7 +70,7 @@ MedianInterval speedup_of(std::span<const TimedRow> rows, const std::string& mix
                           std::string_view clipper) {
   for (const TimedRow& row : rows) {
     if (row.mix != mix || row.clipper != clipper) continue;
-    if (row.timing && row.timing->speedup) return *row.timing->speedup;
+    if (row.speedup) return *row.speedup;
   }
   throw MissingFigure(fmt::format("no table has a time of {} on {}", clipper, mix));
 }

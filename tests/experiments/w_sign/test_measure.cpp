@@ -74,12 +74,13 @@ TEST_CASE("hazards: 0 0 0 0 is met, unless a w-plane above 0 cuts it off") {
   CHECK(hazards_of(p, 1e-5f).total() == 0);
 }
 
-TEST_CASE("hazards: 1/w overflows for a subnormal w, a plane at FLT_MIN does not help") {
+TEST_CASE("hazards: 1/w overflows for a subnormal w, unless a plane at FLT_MIN cuts it off") {
   const float w = 1e-40f;
   const std::array<std::array<float, 4>, 3> p = {{{0, 0, 0, w}, {1, 0, 0, 2}, {0, 1, 0, 2}}};
   CHECK(hazards_of(p, std::nullopt).overflow == 1);
-  // The w of the new vertex is 2 + t (w - 2), which rounds to 0.
-  CHECK(hazards_of(p, std::numeric_limits<float>::min()).total() == 1);
+  // From the end nearer to that plane the w of the new vertex is w + t (2 - w); from the other one
+  // it would be 2 + t (w - 2), which rounds to 0.
+  CHECK(hazards_of(p, std::numeric_limits<float>::min()).total() == 0);
   CHECK(hazards_of(p, 1e-5f).total() == 0);
 }
 

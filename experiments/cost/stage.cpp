@@ -107,7 +107,7 @@ std::string run_stage(const ExperimentContext& context) {
     const std::string cell = fmt::format("stage {} {}", mix.name, name_of(mix.contract));
     context.piece(cell, {&stage, &shares, &certainty, &refused}, [&](PieceRecord& record) {
       const StageInput input = mix.make();
-      shares.add(mix_row(input, mix.contract));
+      tables.mixes.add(mix_row(input, mix.contract));
       for (const StageMeasurement& measured : measure_stage(
                input, selected_for_stage(input, selection), stage_clock(selection.quick))) {
         tables.add(input.name, measured, record);

@@ -157,12 +157,6 @@ void add_rows(Growing growing, const TimedPoint& timed, const TimedPoint* one,
   }
 }
 
-// Triangles of a run that are there in cache with their answers.
-std::size_t cached_triangles(const StageInput& input) {
-  const double bytes = bytes_of(MemoryPass::read_everything, input);
-  return static_cast<std::size_t>(static_cast<double>(level2_cache_bytes()) / 2 / bytes);
-}
-
 }  // namespace
 
 StageInput crossing_input(int planes, std::size_t different, std::size_t times,

@@ -292,10 +292,13 @@ double bytes_written(const Contestant& contestant, const StageInput& input, std:
   return static_cast<double>(bytes) / static_cast<double>(clipped);
 }
 
+std::size_t cached_triangles(const StageInput& input) {
+  return level2_cache_bytes() / 2 / (3 * sizeof(float) * input.stride());
+}
+
 std::size_t cached_block(const StageInput& input) {
   constexpr std::size_t kLeast = 64;
-  const std::size_t bytes = 2 * 3 * sizeof(float) * input.stride();
-  return std::clamp(level2_cache_bytes() / 2 / bytes / kLeast * kLeast, kLeast, kStageBlock);
+  return std::clamp(cached_triangles(input) / 2 / kLeast * kLeast, kLeast, kStageBlock);
 }
 
 Task cached_stage_task(const Contestant& contestant, const StageInput& input,

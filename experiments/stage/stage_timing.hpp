@@ -125,8 +125,11 @@ Task memory_task(MemoryPass pass, const StageInput& input,
                  std::shared_ptr<StageCursor> cursor = std::make_shared<StageCursor>(),
                  std::size_t block = kStageBlock);
 
-// Triangles of a block that lies in half of a second-level cache with its answers, which are about
-// as large; at most kStageBlock.
+// Triangles of a soup that lie in half of a second-level cache; their answers are about as large.
+std::size_t cached_triangles(const StageInput& input);
+
+// Triangles of a block that lies in half of a second-level cache with its answers; at most
+// kStageBlock.
 std::size_t cached_block(const StageInput& input);
 
 // The same from cache: each run is a block. Before it, off the clock, the block before is done,

@@ -180,13 +180,13 @@ struct FromOriginals {
     const D d;
     const auto of_a = hn::Set(d, edge.of_a), of_b = hn::Set(d, edge.of_b),
                reciprocal = hn::Set(d, edge.reciprocal);
+    Vec sum;
     if constexpr (kCertain) {
-      return interval(hn::MulAdd(of_a, a, hn::Mul(of_b, b)), reciprocal,
-                      hn::Max(hn::Abs(a), hn::Abs(b)), hn::Set(d, kEdgeError));
+      sum = hn::MulAdd(of_a, a, hn::Mul(of_b, b));
     } else {
-      const auto sum = hn::Add(hn::Add(hn::Mul(of_a, a), hn::Mul(of_b, b)), hn::Zero(d));
-      return interval(sum, reciprocal, sum, sum);
+      sum = hn::Add(hn::Add(hn::Mul(of_a, a), hn::Mul(of_b, b)), hn::Zero(d));
     }
+    return interval(sum, reciprocal, hn::Max(hn::Abs(a), hn::Abs(b)), hn::Set(d, kEdgeError));
   }
 
   // Where a plane cuts the edges from the apex to b and c.

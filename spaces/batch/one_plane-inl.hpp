@@ -39,14 +39,15 @@ inline constexpr Apex kApex[7] = {{},
 inline constexpr std::size_t kMostSplits = 32;
 
 // The distances in T of some triangles, of vertices of V, from their planes.
-template <class T, class V>
+// Own::compute_at(i) makes of those of triangles i, i + 1, … what the method wants.
+template <class Own, class T, class V>
 class PlaneDistances {
  public:
   using D = hn::CappedTag<T, 8>;
+  using DU = hn::RebindToUnsigned<D>;
   static constexpr D kD{};
 
   void clear() { count_ = 0; }
-  std::size_t count() const { return count_; }
 
   // One more; value(v, c): coordinate c of vertex v.
   template <class F>
@@ -66,6 +67,12 @@ class PlaneDistances {
     ++count_;
   }
 
+  // After the last.
+  HWY_INLINE void compute() {
+    for (std::size_t i = 0; i < count_; i += hn::Lanes(kD)) static_cast<Own*>(this)->compute_at(i);
+  }
+
+ protected:
   // That of vertex v in triangles i, i + 1, …
   HWY_INLINE hn::Vec<D> at(int v, std::size_t i) const {
     return hn::Add(load(kD, a_[v] + i), load(kD, b_[v] + i));
@@ -80,10 +87,12 @@ class PlaneDistances {
 // Which of three vertices are outside by their distances, and which of them is the apex.
 template <class D>
 struct Sides {
-  hn::Mask<D> outside[3], apex_is_0, apex_is_1;
+  hn::Mask<D> outside[3], on_plane, apex_is_0, apex_is_1;
 
   HWY_INLINE explicit Sides(const hn::Vec<D> (&d)[3]) {
     for (int v = 0; v < 3; ++v) outside[v] = hn::Lt(d[v], hn::Zero(D()));
+    const auto is_on = [&](int v) { return hn::Eq(d[v], hn::Zero(D())); };
+    on_plane = hn::Or(is_on(0), hn::Or(is_on(1), is_on(2)));
     const auto same = [&](int a, int b) { return hn::Not(hn::Xor(outside[a], outside[b])); };
     apex_is_0 = same(1, 2);
     apex_is_1 = hn::AndNot(apex_is_0, same(0, 2));
@@ -98,31 +107,29 @@ struct Sides {
   HWY_INLINE hn::Vec<D> c(const hn::Vec<D> (&d)[3]) const { return choose(d[2], d[0], d[1]); }
 };
 
-// Masks as the bits of a word in each lane, the first one lowest.
+// Masks as the bits of a word in each lane, the first one lowest; 0 where a vertex lies on the
+// plane.
 template <class D, std::size_t N>
-HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> words(const hn::Mask<D> (&masks)[N]) {
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> words(const Sides<D>& sides,
+                                                  const hn::Mask<D> (&masks)[N]) {
   const hn::RebindToUnsigned<D> du;
   auto r = hn::Zero(du);
   for (std::size_t i = 0; i < N; ++i) {
     const auto bit = hn::Set(du, hn::TFromD<decltype(du)>{1} << i);
     r = hn::Or(r, hn::IfThenElseZero(hn::RebindMask(du, masks[i]), bit));
   }
-  return r;
+  return hn::IfThenZeroElse(hn::RebindMask(du, sides.on_plane), r);
 }
 
 // How planes split some triangles of vertices of V, in T.
 template <class T, class V>
-class Splits : public PlaneDistances<T, V> {
-  using D = typename PlaneDistances<T, V>::D;
-  using DU = hn::RebindToUnsigned<D>;
-  static constexpr D kD{};
+class Splits : public PlaneDistances<Splits<T, V>, T, V> {
+  using Base = PlaneDistances<Splits, T, V>;
+  using D = typename Base::D;
+  using DU = typename Base::DU;
+  using Base::kD;
 
  public:
-  // After the last.
-  HWY_INLINE void compute() {
-    for (std::size_t i = 0; i < this->count(); i += hn::Lanes(kD)) compute(i);
-  }
-
   // Of a triangle, in the order in which they were added: a mask of the vertices that are outside,
   // 0 if one lies on the plane: then nothing else holds.
   HWY_INLINE unsigned outside(std::size_t i) const { return static_cast<unsigned>(outside_[i]); }
@@ -135,7 +142,9 @@ class Splits : public PlaneDistances<T, V> {
   HWY_INLINE const T& over_c(std::size_t i) const { return over_c_[i]; }
 
  private:
-  HWY_INLINE void compute(std::size_t i) {
+  friend Base;
+
+  HWY_INLINE void compute_at(std::size_t i) {
     const hn::Vec<D> d[3] = {this->at(0, i), this->at(1, i), this->at(2, i)};
     const Sides<D> sides(d);
     const auto apex = hn::Abs(sides.apex(d)), b = hn::Abs(sides.b(d)), c = hn::Abs(sides.c(d));
@@ -145,9 +154,7 @@ class Splits : public PlaneDistances<T, V> {
     hn::Store(c, kD, c_ + i);
     hn::Store(hn::Div(one, hn::Add(apex, b)), kD, over_b_ + i);
     hn::Store(hn::Div(one, hn::Add(apex, c)), kD, over_c_ + i);
-    const auto on_plane = hn::Eq(hn::Min(apex, hn::Min(b, c)), hn::Zero(kD));
-    const auto outside = words<D>(sides.outside);
-    hn::Store(hn::IfThenZeroElse(hn::RebindMask(DU(), on_plane), outside), DU(), outside_ + i);
+    hn::Store(words(sides, sides.outside), DU(), outside_ + i);
   }
 
   HWY_ALIGN T apex_[kMostSplits], b_[kMostSplits], c_[kMostSplits], over_b_[kMostSplits],
@@ -157,24 +164,22 @@ class Splits : public PlaneDistances<T, V> {
 
 // The cuts of some triangles' edges.
 template <class T, class V>
-class EdgeSplits : public PlaneDistances<T, V> {
-  using D = typename PlaneDistances<T, V>::D;
-  using DU = hn::RebindToUnsigned<D>;
-  static constexpr D kD{};
+class EdgeSplits : public PlaneDistances<EdgeSplits<T, V>, T, V> {
+  using Base = PlaneDistances<EdgeSplits, T, V>;
+  using D = typename Base::D;
+  using DU = typename Base::DU;
+  using Base::kD;
 
  public:
-  // After the last.
-  HWY_INLINE void compute() {
-    for (std::size_t i = 0; i < this->count(); i += hn::Lanes(kD)) compute(i);
-  }
-
   HWY_INLINE TwoCuts<T> operator[](std::size_t i) const {
     return {static_cast<unsigned>(word_[i]), leave_[i], enter_[i]};
   }
 
  private:
+  friend Base;
+
   // The edge that leaves the inside is apex-c if the apex is outside, else apex-b.
-  HWY_INLINE void compute(std::size_t i) {
+  HWY_INLINE void compute_at(std::size_t i) {
     const hn::Vec<D> d[3] = {this->at(0, i), this->at(1, i), this->at(2, i)};
     const Sides<D> sides(d);
     const auto apex = sides.apex(d), b = sides.b(d), c = sides.c(d);
@@ -191,9 +196,7 @@ class EdgeSplits : public PlaneDistances<T, V> {
     };
     hn::Store(t(of_leave), kD, leave_ + i);
     hn::Store(t(of_enter), kD, enter_ + i);
-    const auto on_plane =
-        hn::Or(hn::Eq(d[0], zero), hn::Or(hn::Eq(d[1], zero), hn::Eq(d[2], zero)));
-    hn::Store(hn::IfThenZeroElse(hn::RebindMask(DU(), on_plane), words<D>(masks)), DU(), word_ + i);
+    hn::Store(words(sides, masks), DU(), word_ + i);
   }
 
   HWY_ALIGN T leave_[kMostSplits], enter_[kMostSplits];

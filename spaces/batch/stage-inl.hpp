@@ -74,6 +74,7 @@ class Stage {
   }
 
   void reference(const TriangleStreams& in) {
+    Held<Shape<K>> held;
     for_each_block(in.count, [&](std::size_t first, std::size_t count) {
       Writer writer = access_.block(count);
       const std::uint32_t* const inside = writer.inside;
@@ -82,8 +83,8 @@ class Stage {
                                                  first, count, writer, survivors_);
       for (std::size_t t = whole; t < count; ++t) classify_one(in, first, t, writer);
       count_uncut(count, inside, writer);
-      held_.hold(straddlers_.shape, in, first, survivors_);
-      const auto at = [&](std::size_t i, int v) { return held_.vertex(straddlers_.shape, i, v); };
+      held.hold(straddlers_.shape, in, first, survivors_);
+      const auto at = [&](std::size_t i, int v) { return held.vertex(straddlers_.shape, i, v); };
       straddlers_.begin(survivors_);
       for (std::size_t i = 0; i < survivors_.count; ++i) cut(survivors_, i, at, first, writer);
       access_.commit(writer);
@@ -227,7 +228,6 @@ class Stage {
   const ClipVolume volume_;
   Straddlers<M, K, float> straddlers_;
   const OutputAccess access_;
-  Held<Shape<K>> held_;
   Survivors survivors_;  // of a block
 };
 

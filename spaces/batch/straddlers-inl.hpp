@@ -93,6 +93,11 @@ class SplitQueue {
     });
   }
   const SplitsOf& splits() const { return splits_; }
+  // The plane that cuts it.
+  template <class At>
+  const Plane& plane_of(const Survivor<At>& s) const {
+    return by_bit_[s.any()];
+  }
 
  private:
   const PlanesByBit<Plane> by_bit_;
@@ -113,8 +118,7 @@ class ChainCuts {
   void begin(const Cuts& cuts) { ones_.begin(cuts); }
 
   template <class At>
-  HWY_INLINE int cut_one(const Survivor<At>& s, const V* const vertex[3], const PlaneOf<M>&, V* out,
-                         Tally&) {
+  HWY_INLINE int cut_one(const Survivor<At>& s, const V* const vertex[3], V* out, Tally&) {
     const std::size_t place = ones_.next(s);
     return s.moderate ? chain_.cut_one_plane(vertex, ones_.splits()[place], out) : kGiveUp;
   }
@@ -133,11 +137,12 @@ class ChainCuts {
 
 // The same, a triangle in each lane, as far as that goes.
 template <class M, class S>
-class LaneCuts : public ChainCuts<M, S, float> {
+class LaneCuts {
  public:
-  LaneCuts(const S& shape, const ClipLimits& limits,
-           const typename ChainCuts<M, S, float>::Planes& planes, DepthRange depth)
-      : ChainCuts<M, S, float>(shape, limits, planes, depth), shape_(shape), lanes_(planes) {}
+  using Planes = std::array<CodePlane, kPlanes>;
+
+  LaneCuts(const S& shape, const ClipLimits& limits, const Planes& planes, DepthRange)
+      : chain_{shape, limits, planes}, lanes_(planes) {}
 
   void begin(const Cuts& cuts) {
     Choice all;
@@ -148,27 +153,27 @@ class LaneCuts : public ChainCuts<M, S, float> {
   }
 
   template <class At>
-  HWY_INLINE int cut_one(const Survivor<At>& s, const float* const vertex[3], const CodePlane&,
-                         float* out, Tally& tally) {
+  HWY_INLINE int cut_one(const Survivor<At>& s, const float* const vertex[3], float* out,
+                         Tally& tally) {
     return cut_several(s, vertex, out, tally);
   }
   template <class At>
   HWY_INLINE int cut_several(const Survivor<At>& s, const float* const vertex[3], float* out,
-                             Tally& tally) {
-    const int count = cut(s, vertex, out);
-    return count == kGiveUp ? ChainCuts<M, S, float>::cut_several(s, vertex, out, tally) : count;
-  }
-
- private:
-  template <class At>
-  HWY_INLINE int cut(const Survivor<At>& s, const float* const vertex[3], float* out) {
+                             Tally&) {
     const std::size_t lane = queue_.next([&](std::span<const std::size_t> members) {
       lanes_.cut(members.size(), [&](std::size_t in, int v) { return s.at(members[in], v); });
     });
-    return s.moderate ? lanes_.write(shape_, lane, vertex, out) : kGiveUp;
+    if (!s.moderate) return kGiveUp;
+    const int count = lanes_.write(chain_.shape, lane, vertex, out);
+    return count == kGiveUp ? cut_in_turn(vertex, s.any(), out) : count;
   }
 
-  const S& shape_;
+ private:
+  HWY_NOINLINE int cut_in_turn(const float* const vertex[3], unsigned any, float* out) const {
+    return chain_.cut_planes(vertex, any, out);
+  }
+
+  const Chain<typename M::Number, S, ClipLimits, CodePlane> chain_;
   LaneCutter lanes_;
   LaneQueue<kTriangleLanes> queue_;
 };
@@ -188,11 +193,10 @@ class OriginalCuts {
   }
 
   template <class At>
-  HWY_INLINE int cut_one(const Survivor<At>& s, const V* const vertex[3], const CodePlane& plane,
-                         V* out, Tally& tally) {
+  HWY_INLINE int cut_one(const Survivor<At>& s, const V* const vertex[3], V* out, Tally& tally) {
     const std::size_t place = ones_.next(s);
     if (!s.moderate) return kGiveUp;
-    return way(tally).cut_one_plane(vertex, plane, ones_.splits(), place, out);
+    return way(tally).cut_one_plane(vertex, ones_.plane_of(s), ones_.splits(), place, out);
   }
 
   template <class At>
@@ -234,13 +238,11 @@ class Straddlers {
       : shape{attributes},
         limits(depth),
         planes_(planes_in(depth)),
-        by_bit_(planes_),
         cuts_(shape, limits, planes_, depth) {}
   Straddlers(const Frustum<float>& frustum, int attributes)
       : shape{attributes},
         limits(view_code_planes(frustum)),
         planes_(view_code_planes(frustum)),
-        by_bit_(planes_),
         cuts_(shape, limits, planes_, frustum.depth) {}
 
   const S shape;
@@ -256,9 +258,8 @@ class Straddlers {
   HWY_INLINE int cut(const Survivors& survivors, std::size_t i, At& at, V* out, Tally& tally) {
     padded_.set(shape, [&](int v) { return at(i, v); });
     const Survivor<At> survivor{survivors, i, at, is_moderate(shape, padded_.vertex)};
-    const unsigned any = survivor.any();
-    const bool one = is_one_plane(any);
-    const int count = one ? cuts_.cut_one(survivor, padded_.vertex, by_bit_[any], out, tally)
+    const bool one = is_one_plane(survivor.any());
+    const int count = one ? cuts_.cut_one(survivor, padded_.vertex, out, tally)
                           : cuts_.cut_several(survivor, padded_.vertex, out, tally);
     if (HWY_LIKELY(count != kGiveUp)) {
       ++(one ? tally.one_plane : tally.planes);
@@ -280,7 +281,6 @@ class Straddlers {
   }
 
   const std::array<Plane, kPlanes> planes_;  // in the order in which they cut
-  const PlanesByBit<Plane> by_bit_;
   Padded<S, V> padded_;
   std::conditional_t<M::simd == Simd::clip_lanes, LaneCuts<M, S>,
                      std::conditional_t<kIsChain, ChainCuts<M, S, V>, OriginalCuts<M, S, V>>>

@@ -105,6 +105,9 @@ std::string meaning_of(const Explanation& e) {
     case Outcome::extra: return "something was drawn where nothing is visible";
     case Outcome::flipped: return "the winding is reversed";
     case Outcome::not_finite: return "some coordinate is NaN or infinite";
+    case Outcome::crashed:
+    case Outcome::timed_out:
+    case Outcome::malformed: return e.answer.failure()->reason;
     case Outcome::not_applicable: return "the method does not take such input";
   }
   return "";

@@ -31,7 +31,8 @@ constexpr const char* kProgramFooter = R"(Examples:
   clipscope camera --perspective 60,1.7778,0.1,1000
 
 Exit codes: 0 done; 1 a promise is broken (verify), a figure moved (diff); 2 wrong option or name;
-3 bad input file or line; 4 results can't be written; 5 a check had nothing to judge.)";
+3 bad input file or line; 4 results can't be written; 5 a plug-in or program can't be asked; 6 a
+check had nothing to judge.)";
 
 // Help whose descriptions of options are broken into lines.
 class Help : public CLI::Formatter {
@@ -57,6 +58,8 @@ int run_action(const Action& action) {
     return say("", error, kExitInput);
   } catch (const OutputError& error) {
     return say("", error, kExitOutput);
+  } catch (const GuestError& error) {
+    return say("", error, kExitGuest);
   } catch (const std::bad_alloc& error) {
     return say("out of memory: ", error, kExitOutput);
   }

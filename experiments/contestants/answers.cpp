@@ -51,6 +51,11 @@ Number VertexView::operator[](std::size_t i) const {
 
 const Format& PolygonView::format() const { return answers_->format(); }
 
+const Failure* PolygonView::failure() const {
+  const auto found = answers_->failures_.find(primitive_);
+  return found == answers_->failures_.end() ? nullptr : &found->second;
+}
+
 // The parts need not be those of QD's normal form, in which the first is the nearest double.
 void Answers::add(const dd_real& x) {
   double rest = 0;

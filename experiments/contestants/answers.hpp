@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/contestants/scalars.hpp"
@@ -41,6 +44,18 @@ Number times_power_of_two(const Number& x, int exponent);
 
 class Answers;
 
+// Why there is no answer to a primitive: what can become of a guest (guests/guest.hpp) that none of
+// our own clippers does.
+struct Failure {
+  enum class Kind {
+    crashed,    // its process ended, also by reaching out of its buffers
+    timed_out,  // it did not end in time
+    malformed   // what it left is no answer: too many vertices, say, or an error
+  };
+  Kind kind = Kind::crashed;
+  std::string reason;  // a sentence without its full stop
+};
+
 // A vertex of a polygon: x y z 1/w, then the attributes. Before the divide x y z w, in view space
 // x y z 1.
 class VertexView {
@@ -61,13 +76,15 @@ class VertexView {
 // A polygon of the answers, as long as these live.
 class PolygonView {
  public:
-  PolygonView(const Answers& answers, std::size_t first, std::size_t size)
-      : answers_(&answers), first_(first), size_(size) {}
+  PolygonView(const Answers& answers, std::size_t primitive, std::size_t first, std::size_t size)
+      : answers_(&answers), primitive_(primitive), first_(first), size_(size) {}
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   VertexView operator[](std::size_t i) const { return {*answers_, first_ + i}; }
   const Format& format() const;
+  // Why there is no answer, whose polygon then is empty; null where there is one.
+  const Failure* failure() const;
 
   struct Iterator {
     using value_type = VertexView;
@@ -89,7 +106,7 @@ class PolygonView {
 
  private:
   const Answers* answers_;
-  std::size_t first_, size_;
+  std::size_t primitive_, first_, size_;
 };
 
 class Answers {
@@ -102,7 +119,7 @@ class Answers {
   std::size_t size() const { return ends_.size(); }  // polygons
   PolygonView operator[](std::size_t i) const {
     const std::size_t first = i == 0 ? 0 : ends_[i - 1];
-    return {*this, first, ends_[i] - first};
+    return {*this, i, first, ends_[i] - first};
   }
   // To be filled number by number, then `end_polygon` after the last of a polygon.
   void add(float x) { values_.push_back(x); }
@@ -111,6 +128,11 @@ class Answers {
   void add(const dd_real& x);
   void add(const Exact& x);
   void end_polygon() { ends_.push_back(values_.size() / stride_); }
+  // There is no answer to the primitive; it gets an empty polygon.
+  void fail(Failure failure) {
+    failures_.emplace(ends_.size(), std::move(failure));
+    end_polygon();
+  }
 
   // Whether the polygon was given by its number: it is the primitive itself.
   bool is_listed(std::size_t i) const { return std::ranges::binary_search(listed, i); }
@@ -120,12 +142,14 @@ class Answers {
 
  private:
   friend class VertexView;
+  friend class PolygonView;
 
   const Format* format_;
   std::size_t stride_;
   std::vector<double> values_, rests_;
   std::vector<Exact> exact_;
   std::vector<std::size_t> ends_;  // polygon i has the vertices [ends[i - 1], ends[i])
+  std::map<std::size_t, Failure> failures_;
 };
 
 // A typed polygon, vertex by vertex. Vertices: a list or a span of them.

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "experiments/contestants/made.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/table/row.hpp"
@@ -25,19 +27,11 @@ bool is_plane(const Batch& batch) {
   return batch.attributes == 0 && batch.volume.clip_distances == 0;
 }
 
-}  // namespace
+constexpr std::size_t kGuests = 64;
 
-bool Contestant::takes(const Batch& batch) const {
-  if (contract == Contract::plane) return is_plane(batch);
-  ClipVolume volume = batch.volume;
-  volume.clip_distances += static_cast<int>(batch.planes.size());
-  const bool from_view = batch.space == Space::view && !batch.matrix;
-  return vertices == batch.vertices && (from_view || takes_clip_space) &&
-         is_applicable(promise, volume);
-}
-
-std::span<const Contestant> all_contestants() {
-  static const std::vector<Contestant> all = [] {
+// Its capacity never changes, so that pointers to contestants stay good.
+std::vector<Contestant>& all_with_room() {
+  static std::vector<Contestant> all = [] {
     std::vector<Contestant> list;
     const auto add = [&](const std::vector<Contestant>& made) {
       list.insert(list.end(), made.begin(), made.end());
@@ -47,9 +41,39 @@ std::span<const Contestant> all_contestants() {
          {made_of_cuts(), made_in_plane(), made_in_batches(), made_for_stages()}) {
       add(made);
     }
+    list.reserve(list.size() + kGuests);
     return list;
   }();
   return all;
+}
+
+}  // namespace
+
+bool Contestant::takes(const Batch& batch) const {
+  if (contract == Contract::plane) return is_plane(batch);
+  ClipVolume volume = batch.volume;
+  volume.clip_distances += static_cast<int>(batch.planes.size());
+  const bool from_view = batch.space == Space::view && !batch.matrix;
+  const int attributes = batch.attributes + static_cast<int>(batch.planes.size());
+  return vertices == batch.vertices && (from_view || takes_clip_space) &&
+         depths[static_cast<std::size_t>(volume.depth)] && attributes <= most_attributes &&
+         is_applicable(promise, volume);
+}
+
+std::span<const Contestant> all_contestants() { return all_with_room(); }
+
+void add_guest(const Contestant& guest) {
+  std::vector<Contestant>& all = all_with_room();
+  const auto is_same = [&](const Contestant& c) {
+    return c.clipper == guest.clipper &&
+           (!c.is_guest || (c.format == guest.format && c.vertices == guest.vertices));
+  };
+  if (std::ranges::any_of(all, is_same)) {
+    throw GuestError(
+        fmt::format("there is a clipper called {} already; expected another name", guest.clipper));
+  }
+  if (all.size() == all.capacity()) throw GuestError("there is no room for so many guests");
+  all.push_back(guest);
 }
 
 Answers clip(const Contestant& contestant, const Batch& batch) {

@@ -8,8 +8,10 @@
 // (answers.hpp).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -48,6 +50,15 @@ enum class StagePromise : std::uint8_t {
   correctly_rounded  // every float the one nearest to the exact value, the vertices exactly right
 };
 
+// What a guest promises: nothing at all.
+constexpr Promise no_promise() {
+  Promise promise;
+  promise.covers = promise.contained = promise.attributes = promise.total = false;
+  promise.rotation_invariant = promise.scale_invariant = promise.constants = false;
+  promise.ulps = std::numeric_limits<double>::infinity();
+  return promise;
+}
+
 struct Contestant {
   std::string_view clipper = {}, summary = {}, source = {};
   const Format* format = nullptr;     // what it computes in; a stage answers in float
@@ -57,6 +68,10 @@ struct Contestant {
   Promise promise = {};
   StagePromise stage_promise = StagePromise::float_chain;
   bool takes_clip_space = false;
+  // A guest is a clipper that is not ours: it states no promise, and may take less than ours do.
+  bool is_guest = false;
+  std::array<bool, 3> depths = {true, true, true};  // by DepthRange
+  int most_attributes = kMaxAttributes;             // clip distances and planes included
 
   // Contracts full and cut alone. Pre-condition: the contestant takes the batches, which outlive
   // the runner.
@@ -72,8 +87,13 @@ struct Contestant {
 
 using Contestants = std::vector<const Contestant*>;
 
-// All there are: by scalar, primitive and contract, clippers in the order of spaces/clippers.hpp.
+// All there are: by scalar, primitive and contract, clippers in the order of spaces/clippers.hpp;
+// then the guests.
 std::span<const Contestant> all_contestants();
+
+// Adds a guest, whose texts live as long as the program does. Contestants that there are stay where
+// they are. Errors: GuestError if there is a clipper of that name, or no room for more.
+void add_guest(const Contestant& guest);
 
 // The answers to all primitives of a batch that is taken. UsageError: its matrix is not.
 Answers clip(const Contestant& contestant, const Batch& batch);

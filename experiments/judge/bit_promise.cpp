@@ -109,9 +109,10 @@ class Asked {
 };
 
 bool is_total(const Answers& answers) {
-  return !answers.overflowed && std::ranges::all_of(answers[0], [](const VertexView& v) {
-    return is_finite(v[0]) && is_finite(v[1]) && is_finite(v[2]) && !is_nan(v[3]);
-  });
+  return !answers.overflowed && answers[0].failure() == nullptr &&
+         std::ranges::all_of(answers[0], [](const VertexView& v) {
+           return is_finite(v[0]) && is_finite(v[1]) && is_finite(v[2]) && !is_nan(v[3]);
+         });
 }
 
 Triangle scaled(Triangle triangle, std::size_t dimension) {

@@ -105,6 +105,15 @@ void add_errors(const Format& format, const VertexView& vertex, const ExactVerte
   }
 }
 
+Outcome outcome_of(Failure::Kind kind) {
+  switch (kind) {
+    case Failure::Kind::crashed: return Outcome::crashed;
+    case Failure::Kind::timed_out: return Outcome::timed_out;
+    case Failure::Kind::malformed: return Outcome::malformed;
+  }
+  return Outcome::crashed;
+}
+
 }  // namespace
 
 const Fraction& coordinate(const ExactVertex& v, int i) {
@@ -168,6 +177,10 @@ Comparison compare(const PolygonView& polygon, const TruthPolygon& truth) {
     result.outcome = outcome;
     return result;
   };
+  if (polygon.failure()) {
+    result.visible = true;
+    return with(outcome_of(polygon.failure()->kind));
+  }
   if (!std::ranges::all_of(polygon, is_usable)) return with(Outcome::not_finite);
   const auto vertices = distinct_vertices(polygon);
   if (vertices.size() < truth.needed) {

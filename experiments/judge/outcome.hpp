@@ -21,13 +21,16 @@ enum class Outcome : std::uint8_t {
   extra,          // something, where nothing is visible
   flipped,        // the winding is reversed
   not_finite,     // some coordinate is NaN or infinite
+  crashed,        // of guests: no answer, see Failure in contestants/answers.hpp
+  timed_out,      // likewise
+  malformed,      // likewise
   not_applicable  // the method does not take such input
 };
 
-inline constexpr int kOutcomes = 10;
+inline constexpr int kOutcomes = 13;
 inline constexpr std::array<std::string_view, kOutcomes> kOutcomeNames = {
-    "exact",   "faithful", "subpixel", "visible",    "vertex_count",
-    "missing", "extra",    "flipped",  "not_finite", "not_applicable"};
+    "exact",   "faithful",   "subpixel", "visible",   "vertex_count", "missing",       "extra",
+    "flipped", "not_finite", "crashed",  "timed_out", "malformed",    "not_applicable"};
 
 // The outcomes of primitives in view space, which every clipper takes.
 inline constexpr int kViewOutcomes = kOutcomes - 1;

@@ -437,6 +437,10 @@ PromiseCheck PromiseChecker::check_distances(const Promise& promise, const Setti
 PromiseCheck PromiseChecker::check(const Promise& promise, InputVertices vertices,
                                    int attribute_count, const PolygonView& polygon) const {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  if (const Failure* failure = polygon.failure()) {
+    return {PromiseVerdict::broken, kInfinite, failure->reason};
+  }
+  if (std::isinf(promise.ulps)) return {};
   if (promise.correctly_rounded && !by_matrix_ && polygon.format().is_float()) {
     const std::string reason = misrounded(truth_, vertices, attribute_count, polygon);
     if (!reason.empty()) return {PromiseVerdict::broken, kInfinite, reason};

@@ -56,6 +56,7 @@ class PromiseChecker {
   PromiseChecker(const Frustum<double>& frustum, const ClipVolume& volume);
   explicit PromiseChecker(const ClipVolume& volume);
 
+  // Where there is no answer every promise is broken; who promises no distance (no_promise) keeps it.
   // vertices: two of a segment or three of a triangle. Pre-condition: they are finite; for a
   // segment the promise's domain is not all_or_nothing.
   PromiseCheck check(const Promise& promise, std::span<const reference::InputVertex> vertices,

@@ -14,7 +14,8 @@ enum ExitCode {
   kExitUsage = 2,          // an option or a name is wrong
   kExitInput = 3,          // a file or a line of input is wrong
   kExitOutput = 4,         // results can't be written
-  kExitNothingJudged = 5   // a check found nothing that it could judge
+  kExitGuest = 5,          // a clipper of the user's can't be asked: it does not load or start
+  kExitNothingJudged = 6   // a check found nothing that it could judge
 };
 
 // Bad input: the message names the file and the place in it, what was found and what was expected.
@@ -29,6 +30,11 @@ struct UsageError : std::runtime_error {
 
 // Results that can't be written: the message names the path and the reason.
 struct OutputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// A clipper of the user's that can't be asked: the message says which and why.
+struct GuestError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 

@@ -88,6 +88,11 @@ Answers clip(const Contestant& contestant, const Batch& batch) {
   return runner->answers();
 }
 
+std::string options_of(const Contestant& c) {
+  if (c.is_guest) return fmt::format("{} --scalar {}", c.brought_by, c.scalar());
+  return fmt::format("--clipper {} --scalar {}", c.clipper, c.scalar());
+}
+
 std::string name_of(const Contestant& c) {
   if (c.prepare) return fmt::format("{} {}", c.clipper, c.scalar());
   return fmt::format("{} {} {} {}", c.clipper, c.scalar(), c.build, name_of(c.contract));

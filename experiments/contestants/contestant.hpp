@@ -74,6 +74,7 @@ struct Contestant {
   bool takes_clip_space = false;
   // A guest is a clipper that is not ours: it states no promise, and may take less than ours do.
   bool is_guest = false;
+  std::string_view brought_by = {};                 // of a guest the option: "--plugin ./mine.so"
   std::array<bool, 3> depths = {true, true, true};  // by DepthRange
   int most_attributes = kMaxAttributes;             // clip distances and planes included
   std::function<bool(const Frustum<double>&)> takes_frustum = {};  // of view space; null: any
@@ -102,6 +103,10 @@ void add_guest(const Contestant& guest);
 
 // The answers to all primitives of a batch that is taken. UsageError: its matrix is not.
 Answers clip(const Contestant& contestant, const Batch& batch);
+
+// What names it on the command line: "--clipper homogeneous/sutherland_hodgman --scalar float", the
+// option that brought it in place of a guest's clipper.
+std::string options_of(const Contestant& contestant);
 
 // "homogeneous/sutherland_hodgman float", in a stage with build and contract.
 std::string name_of(const Contestant& contestant);

@@ -11,9 +11,12 @@ namespace {
 // replay: the command without the options that name the contestant.
 WorstInput input_of(const Contestant& contestant, const std::string& measure, double error,
                     const std::string& input, const std::string& replay) {
-  const std::string clipper(contestant.clipper), scalar(contestant.scalar());
-  const std::string command = fmt::format("{} --clipper {} --scalar {}", replay, clipper, scalar);
-  return {clipper, scalar, measure, error, input, command};
+  return {std::string(contestant.clipper),
+          std::string(contestant.scalar()),
+          measure,
+          error,
+          input,
+          fmt::format("{} {}", replay, options_of(contestant))};
 }
 
 }  // namespace

@@ -131,10 +131,10 @@ WorstInput worst_input(const Scene& scene, const WorstRow& row) {
   const View& view = find_view(scene, row.view);
   const Pair pair = neighbours_of(scene, view, edge_of(row));
   const std::string first = hex_line(pair[0], 0), second = hex_line(pair[1], 0);
-  const std::string replay = fmt::format(
-      "printf '%s\\n' '{}' '{}' | clipscope clip --clipper {} --scalar {} {} --depth {} --hex",
-      first, second, row.clipper, row.scalar, frustum_options(view.frustum),
-      depth_option(view.frustum.depth));
+  const std::string replay =
+      fmt::format("printf '%s\\n' '{}' '{}' | clipscope clip {} {} --depth {} --hex", first, second,
+                  options_of(find_contestant(row.clipper, row.scalar)),
+                  frustum_options(view.frustum), depth_option(view.frustum.depth));
   return {row.clipper, row.scalar, "crack_px", row.crack_px, first + "\n" + second, replay};
 }
 

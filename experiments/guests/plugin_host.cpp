@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/guests/plugin_host.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sched.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <new>
+#include <utility>
+
+#include "experiments/machine/errors.hpp"
+#include "spaces/plugin/guarded.hpp"
+
+extern char** environ;
+
+namespace clipscope::experiments {
+namespace {
+
+constexpr double kLoadingSeconds = 10;
+constexpr double kSlice = 0.02;  // s; how late the end of a host is seen, where it says nothing
+// Awake between calls that come one after the other; under the clock as long as a call may take.
+constexpr double kAwakeUs = 10, kHostAwakeUs = 60, kTimedAwakeUs = 5000;
+
+std::string error_text(int error) { return std::strerror(error); }
+
+// Sends what it prints to standard error, and lets it read nothing.
+class FileActions {
+ public:
+  explicit FileActions(int socket) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions_, STDERR_FILENO, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, socket, plugin::kSocket);
+  }
+  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
+  FileActions(const FileActions&) = delete;
+  FileActions& operator=(const FileActions&) = delete;
+  const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_;
+};
+
+}  // namespace
+
+SharedArea::~SharedArea() {
+  if (begin_ != nullptr) munmap(begin_, bytes_);
+  if (file_ >= 0) close(file_);
+}
+
+SharedArea& SharedArea::operator=(SharedArea&& other) noexcept {
+  std::swap(file_, other.file_);
+  std::swap(begin_, other.begin_);
+  std::swap(bytes_, other.bytes_);
+  return *this;
+}
+
+bool SharedArea::reserve(std::size_t bytes) {
+  if (bytes <= bytes_) return false;
+  SharedArea area;
+  area.bytes_ = plugin::whole_pages(std::max(bytes, bytes_ + bytes_ / 2));
+  area.file_ = plugin::memory_file(area.bytes_);
+  if (area.file_ < 0) throw std::bad_alloc();
+  void* begin = mmap(nullptr, area.bytes_, PROT_READ | PROT_WRITE, MAP_SHARED, area.file_, 0);
+  if (begin == MAP_FAILED) throw std::bad_alloc();
+  area.begin_ = static_cast<unsigned char*>(begin);
+  *this = std::move(area);
+  return true;
+}
+
+std::filesystem::path beside_program(const std::string& name) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / name;
+  const fs::path built = fs::path(CLIPSCOPE_PLUGIN_FOLDER) / name;
+  for (const fs::path& path : {beside, built}) {
+    if (fs::exists(path, ignored)) return path;
+  }
+  throw GuestError(fmt::format(
+      "{} is missing, without which no plug-in can be asked; expected it beside the program, in {}",
+      name, beside.parent_path().string()));
+}
+
+PluginHost::PluginHost(const std::string& library, const std::vector<int>& processors)
+    : library_(library), processors_(processors.size()) {
+  shared_.reserve(sizeof(plugin::Control));
+  new (shared_.begin()) plugin::Control;
+  for (const int p : processors) {
+    const auto bit = static_cast<std::size_t>(p);
+    if (bit < 64 * control().processors.size()) {
+      control().processors[bit / 64] |= std::uint64_t{1} << (bit % 64);
+    }
+  }
+  stay_awake(false);
+  start(library);
+  std::optional<Failure> failure;
+  if (!plugin::send_area(socket_, {plugin::Use::control, 0, shared_.size()}, shared_.file())) {
+    end();
+    failure = failure_of_end();
+  } else {
+    failure = ask(plugin::Order::load, kLoadingSeconds);
+  }
+  if (failure) {
+    throw GuestError(fmt::format("{}: while it is loaded, it {}", library, failure->reason));
+  }
+  if (control().fault == plugin::Fault::loads_not) {
+    const std::string reason = control().text.data();
+    end();
+    throw GuestError(fmt::format("{} is no plug-in that can be asked: {}", library, reason));
+  }
+}
+
+PluginHost::~PluginHost() {
+  if (process_ > 0) end();
+  if (socket_ >= 0) close(socket_);
+}
+
+void PluginHost::start(const std::string& library) {
+  const std::string host = beside_program("clipscope_plugin_host").string();
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) {
+    throw GuestError(fmt::format("no socket for a plug-in: {}", error_text(errno)));
+  }
+  socket_ = ends[0];
+  char* const arguments[] = {const_cast<char*>(host.c_str()), const_cast<char*>(library.c_str()),
+                             nullptr};
+  const int error =
+      posix_spawn(&process_, host.c_str(), FileActions(ends[1]).get(), nullptr, arguments, environ);
+  close(ends[1]);
+  if (error == 0) return;
+  process_ = -1;
+  throw GuestError(fmt::format("{}: does not start: {}", host, error_text(error)));
+}
+
+std::optional<Failure> PluginHost::ask(plugin::Order order, double seconds) {
+  control().order = order;
+  plugin::pass(control().asked, ++orders_);
+  if (is_answered(seconds)) {
+    using plugin::Fault;
+    if (control().fault != Fault::out_of_bounds && control().fault != Fault::signal) return {};
+    end();
+    return failure_of_end();
+  }
+  if (!has_ended()) {
+    end();
+    return Failure{Failure::Kind::timed_out, fmt::format("does not end within {:g} s", seconds)};
+  }
+  control().fault = plugin::Fault::none;
+  return failure_of_end();
+}
+
+bool PluginHost::is_answered(double seconds) {
+  double awake_us = awake_us_;
+  for (double left = seconds; left > 0; left -= kSlice) {
+    if (plugin::await(control().answered, orders_, {awake_us, std::min(left, kSlice)})) return true;
+    if (has_ended()) return false;
+    awake_us = 0;
+  }
+  return false;
+}
+
+std::optional<Failure> PluginHost::hand_over(plugin::Use use, std::size_t index,
+                                             const SharedArea& area) {
+  const auto place = static_cast<std::uint32_t>(index);
+  if (!plugin::send_area(socket_, {use, place, area.size()}, area.file())) {
+    end();
+    return failure_of_end();
+  }
+  std::optional<Failure> failure = ask(plugin::Order::take_area, kLoadingSeconds);
+  if (!failure && control().fault == plugin::Fault::loads_not) throw std::bad_alloc();
+  return failure;
+}
+
+void PluginHost::stay_awake(bool awake) {
+  const bool is_alone = processors_ < 2;
+  awake_us_ = is_alone ? 0 : awake ? kTimedAwakeUs : kAwakeUs;
+  control().awake_us = is_alone ? 0 : awake ? kHostAwakeUs : kAwakeUs;
+}
+
+std::int64_t PluginHost::lost_processor() {
+  sched_param parameters{};
+  sched_getparam(0, &parameters);
+  control().scheduling_class = sched_getscheduler(0);
+  control().scheduling_priority = parameters.sched_priority;
+  return ask(plugin::Order::wake, kLoadingSeconds) ? 0 : control().lost_processor;
+}
+
+bool PluginHost::has_ended() {
+  if (process_ > 0 && waitpid(process_, &status_, WNOHANG) == process_) process_ = -1;
+  return process_ < 0;
+}
+
+// Of its own or, where it still runs, by force. What it said before remains.
+void PluginHost::end() {
+  if (process_ < 0) return;
+  const bool says_why =
+      control().fault == plugin::Fault::out_of_bounds || control().fault == plugin::Fault::signal;
+  if (!says_why) kill(process_, SIGKILL);
+  while (waitpid(process_, &status_, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
+}
+
+namespace {
+
+std::string reach_text(const plugin::Reach& reach) {
+  using plugin::Reach;
+  using plugin::Use;
+  constexpr std::string_view kAccesses[] = {"reached", "read", "wrote"};
+  constexpr std::string_view kSides[] = {"in front of", "into", "beyond the end of"};
+  constexpr std::string_view kThings[] = {"", "its input", "the ends of its input", "its output",
+                                          "the ends of its output"};
+  return fmt::format("{} {} {}", kAccesses[static_cast<std::size_t>(reach.access)],
+                     kSides[static_cast<std::size_t>(reach.side)],
+                     kThings[static_cast<std::size_t>(reach.use)]);
+}
+
+std::string signal_text(int number) {
+  const char* name = sigabbrev_np(number);
+  return name == nullptr ? fmt::format("signal {}", number) : fmt::format("SIG{}", name);
+}
+
+}  // namespace
+
+Failure PluginHost::failure_of_end() const {
+  const plugin::Control& said = control();
+  std::string reason;
+  if (said.fault == plugin::Fault::out_of_bounds) {
+    reason = reach_text(said.reach);
+  } else if (said.fault == plugin::Fault::signal) {
+    reason = fmt::format("was ended by {}", signal_text(said.code));
+  } else if (WIFSIGNALED(status_)) {
+    reason = fmt::format("was ended by {}", signal_text(WTERMSIG(status_)));
+  } else {
+    reason = fmt::format("ended its process with exit code {}", WEXITSTATUS(status_));
+  }
+  return {Failure::Kind::crashed, reason};
+}
+
+}  // namespace clipscope::experiments

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A process with a plug-in in it (spaces/plugin/host.cpp): started, asked, and ended.
+//
+// It is started with posix_spawn, which copies no memory of this process, however much that has.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+#include "experiments/contestants/answers.hpp"
+#include "spaces/plugin/channel.hpp"
+
+namespace clipscope::experiments {
+
+// Memory that the program and a host share, as the program sees it. It only grows.
+class SharedArea {
+ public:
+  SharedArea() = default;
+  ~SharedArea();
+  SharedArea(SharedArea&& other) noexcept { *this = std::move(other); }
+  SharedArea& operator=(SharedArea&& other) noexcept;
+
+  // Whether it had to become another one, what was in it lost. Errors: std::bad_alloc.
+  bool reserve(std::size_t bytes);
+  std::size_t size() const { return bytes_; }
+  int file() const { return file_; }
+  unsigned char* begin() const { return begin_; }
+  unsigned char* end() const { return begin_ + bytes_; }
+  // The last so many elements of it.
+  template <class T>
+  T* last(std::size_t count) const {
+    return reinterpret_cast<T*>(end() - count * sizeof(T));
+  }
+
+ private:
+  int file_ = -1;
+  unsigned char* begin_ = nullptr;
+  std::size_t bytes_ = 0;
+};
+
+// A file that is installed beside the program, or stands where it was built. Errors: GuestError.
+std::filesystem::path beside_program(const std::string& name);
+
+class PluginHost {
+ public:
+  // Starts it and loads the library. Errors: GuestError, which says why the plug-in can't be asked.
+  PluginHost(const std::string& library, const std::vector<int>& processors);
+  ~PluginHost();
+  PluginHost(const PluginHost&) = delete;
+  PluginHost& operator=(const PluginHost&) = delete;
+
+  const plugin::Description& description() const { return control().description; }
+  plugin::Request& request() { return control().request; }
+  // Of the last order that was answered.
+  const plugin::Control& control() const {
+    return *reinterpret_cast<const plugin::Control*>(shared_.begin());
+  }
+
+  // What became of it, if the order was not answered: then the host is gone.
+  std::optional<Failure> ask(plugin::Order order, double seconds);
+  // The same, whatever was wrong.
+  std::optional<Failure> hand_over(plugin::Use use, std::size_t index, const SharedArea& area);
+
+  // From now on, whether both sides wait for each other without sleeping, as long as is usual.
+  void stay_awake(bool awake);
+  // How often it has lost its processor so far, by the way made ready for a call.
+  std::int64_t lost_processor();
+
+ private:
+  plugin::Control& control() { return *reinterpret_cast<plugin::Control*>(shared_.begin()); }
+  void start(const std::string& library);
+  bool is_answered(double seconds);
+  bool has_ended();
+  void end();
+  Failure failure_of_end() const;
+
+  std::string library_;
+  SharedArea shared_;
+  pid_t process_ = -1;
+  int socket_ = -1, status_ = 0;
+  std::size_t processors_ = 1;
+  std::uint32_t orders_ = 0;
+  double awake_us_ = 0;
+};
+
+}  // namespace clipscope::experiments

@@ -26,6 +26,21 @@ bool matches(std::string_view pattern, std::string_view name) {
 constexpr std::array<std::string_view, 4> kPrimitives = {"polygons", "points", "segments",
                                                          "triangles"};
 
+// Those of primitives with so many vertices under the full contract of which it is true.
+template <class IsWanted>
+std::vector<std::string_view> names_of_clippers(int vertices, const IsWanted& is_wanted) {
+  std::vector<std::string_view> names;
+  for (const Contestant& c : all_contestants()) {
+    if (c.contract != Contract::full || c.vertices != vertices || !is_wanted(c)) continue;
+    if (std::ranges::find(names, c.clipper) == names.end()) names.push_back(c.clipper);
+  }
+  return names;
+}
+
+std::vector<std::string_view> guest_names(int vertices) {
+  return names_of_clippers(vertices, [](const Contestant& c) { return c.is_guest; });
+}
+
 std::vector<std::string_view> matching_clippers(std::string_view pattern, int vertices) {
   const std::vector<std::string_view> names = clipper_names(vertices);
   std::vector<std::string_view> matching;
@@ -52,16 +67,7 @@ void check_scalar(std::string_view scalar) {
 }  // namespace
 
 std::vector<std::string_view> clipper_names(int vertices) {
-  std::vector<std::string_view> names;
-  for (const Contestant& c : all_contestants()) {
-    // Ours are there in float all; a guest may be there in double alone.
-    if ((c.format != &kFormat<float> && !c.is_guest) || c.contract != Contract::full ||
-        c.vertices != vertices) {
-      continue;
-    }
-    if (std::ranges::find(names, c.clipper) == names.end()) names.push_back(c.clipper);
-  }
-  return names;
+  return names_of_clippers(vertices, [](const Contestant&) { return true; });
 }
 
 std::vector<std::string_view> scalar_names() {
@@ -83,11 +89,16 @@ Contestants select_contestants(std::string_view clipper_pattern,
                                const std::vector<std::string>& scalars, int vertices) {
   Contestants selected;
   std::ranges::for_each(scalars, check_scalar);
-  for (const std::string_view clipper : matching_clippers(clipper_pattern, vertices)) {
+  const auto select = [&](std::string_view clipper) {
     for (const std::string& scalar : scalars) {
       const Contestant* found = find_in_contract(clipper, scalar, Contract::full, vertices);
       if (found != nullptr) selected.push_back(found);
     }
+  };
+  const std::vector<std::string_view> matching = matching_clippers(clipper_pattern, vertices);
+  std::ranges::for_each(matching, select);
+  for (const std::string_view guest : guest_names(vertices)) {
+    if (std::ranges::find(matching, guest) == matching.end()) select(guest);
   }
   if (selected.empty()) {
     throw UsageError(fmt::format("--clipper: '{}' does not exist in {}", clipper_pattern,
@@ -159,8 +170,12 @@ Contestants named_contestants(const Selection& selection, std::span<const std::s
   if (selection.clipper != Selection{}.clipper) return selected_contestants(selection);
   Contestants all;
   for (const std::string_view name : names) {
-    for (const Contestant* c : select_contestants(name, selection.scalars)) all.push_back(c);
+    for (const Contestant* c : select_contestants(name, selection.scalars)) {
+      if (std::ranges::find(all, c) == all.end()) all.push_back(c);
+    }
   }
+  // Guests last, as everywhere.
+  std::ranges::stable_partition(all, [](const Contestant* c) { return !c->is_guest; });
   return all;
 }
 

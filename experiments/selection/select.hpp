@@ -17,14 +17,14 @@
 namespace clipscope::experiments {
 
 // The names of all clippers of primitives with so many vertices (0: polygons) under the full
-// contract, in the order of spaces/clippers.hpp; and of all scalars.
+// contract, in the order of spaces/clippers.hpp, then of guests; and of all scalars.
 std::vector<std::string_view> clipper_names(int vertices = 3);
 std::vector<std::string_view> scalar_names();
 
 // The contestants of the full contract whose clipper matches the shell pattern (`*`, `?`; a name
 // without them also stands for the clippers of which it is the folder or the method) and whose
 // scalar is in the list, by clipper, then scalar; a clipper that there is not in a scalar is left
-// out. Throws UsageError naming the option, what was given and what there is.
+// out. Guests are among them whatever the pattern is. Throws UsageError naming the option, what was given and what there is.
 Contestants select_contestants(std::string_view clipper_pattern,
                                const std::vector<std::string>& scalars, int vertices = 3);
 

@@ -26,21 +26,6 @@ bool matches(std::string_view pattern, std::string_view name) {
 constexpr std::array<std::string_view, 4> kPrimitives = {"polygons", "points", "segments",
                                                          "triangles"};
 
-// Those of primitives with so many vertices under the full contract of which it is true.
-template <class IsWanted>
-std::vector<std::string_view> names_of_clippers(int vertices, const IsWanted& is_wanted) {
-  std::vector<std::string_view> names;
-  for (const Contestant& c : all_contestants()) {
-    if (c.contract != Contract::full || c.vertices != vertices || !is_wanted(c)) continue;
-    if (std::ranges::find(names, c.clipper) == names.end()) names.push_back(c.clipper);
-  }
-  return names;
-}
-
-std::vector<std::string_view> guest_names(int vertices) {
-  return names_of_clippers(vertices, [](const Contestant& c) { return c.is_guest; });
-}
-
 std::vector<std::string_view> matching_clippers(std::string_view pattern, int vertices) {
   const std::vector<std::string_view> names = clipper_names(vertices);
   std::vector<std::string_view> matching;
@@ -64,10 +49,30 @@ void check_scalar(std::string_view scalar) {
   }
 }
 
+bool is_guest(std::string_view clipper) {
+  return std::ranges::any_of(
+      all_contestants(), [&](const Contestant& c) { return c.is_guest && c.clipper == clipper; });
+}
+
+// Those that are not there yet, in the scalars selected.
+void add_guests(const Selection& selection, int vertices, Contestants& all) {
+  for (const std::string_view guest : selection.guests) {
+    for (const std::string& scalar : selection.scalars) {
+      const Contestant* found = find_in_contract(guest, scalar, Contract::full, vertices);
+      if (found != nullptr && std::ranges::find(all, found) == all.end()) all.push_back(found);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string_view> clipper_names(int vertices) {
-  return names_of_clippers(vertices, [](const Contestant&) { return true; });
+  std::vector<std::string_view> names;
+  for (const Contestant& c : all_contestants()) {
+    if (c.contract != Contract::full || c.vertices != vertices) continue;
+    if (std::ranges::find(names, c.clipper) == names.end()) names.push_back(c.clipper);
+  }
+  return names;
 }
 
 std::vector<std::string_view> scalar_names() {
@@ -89,16 +94,11 @@ Contestants select_contestants(std::string_view clipper_pattern,
                                const std::vector<std::string>& scalars, int vertices) {
   Contestants selected;
   std::ranges::for_each(scalars, check_scalar);
-  const auto select = [&](std::string_view clipper) {
+  for (const std::string_view clipper : matching_clippers(clipper_pattern, vertices)) {
     for (const std::string& scalar : scalars) {
       const Contestant* found = find_in_contract(clipper, scalar, Contract::full, vertices);
       if (found != nullptr) selected.push_back(found);
     }
-  };
-  const std::vector<std::string_view> matching = matching_clippers(clipper_pattern, vertices);
-  std::ranges::for_each(matching, select);
-  for (const std::string_view guest : guest_names(vertices)) {
-    if (std::ranges::find(matching, guest) == matching.end()) select(guest);
   }
   if (selected.empty()) {
     throw UsageError(fmt::format("--clipper: '{}' does not exist in {}", clipper_pattern,
@@ -116,8 +116,11 @@ const Contestant& find_contestant(std::string_view clipper, std::string_view sca
   }
   const Contestant* found = find_in_contract(matching.front(), scalar, Contract::full, vertices);
   if (found == nullptr) {
-    throw UsageError(fmt::format("--scalar: {} needs an operation that {} does not have",
-                                 matching.front(), scalar));
+    const std::string_view name = matching.front();
+    throw UsageError(is_guest(name)
+                         ? fmt::format("--scalar: {} does not compute in {}", name, scalar)
+                         : fmt::format("--scalar: {} needs an operation that {} does not have",
+                                       clipper, scalar));
   }
   return *found;
 }
@@ -162,20 +165,19 @@ Scene load_selected_scene(const Selection& selection, const std::string& name) {
   return scene;
 }
 
-Contestants selected_contestants(const Selection& selection) {
-  return select_contestants(selection.clipper, selection.scalars);
+Contestants selected_contestants(const Selection& selection, int vertices) {
+  Contestants all = select_contestants(selection.clipper, selection.scalars, vertices);
+  add_guests(selection, vertices, all);
+  return all;
 }
 
 Contestants named_contestants(const Selection& selection, std::span<const std::string_view> names) {
   if (selection.clipper != Selection{}.clipper) return selected_contestants(selection);
   Contestants all;
   for (const std::string_view name : names) {
-    for (const Contestant* c : select_contestants(name, selection.scalars)) {
-      if (std::ranges::find(all, c) == all.end()) all.push_back(c);
-    }
+    for (const Contestant* c : select_contestants(name, selection.scalars)) all.push_back(c);
   }
-  // Guests last, as everywhere.
-  std::ranges::stable_partition(all, [](const Contestant* c) { return !c->is_guest; });
+  add_guests(selection, 3, all);
   return all;
 }
 

@@ -17,14 +17,14 @@
 namespace clipscope::experiments {
 
 // The names of all clippers of primitives with so many vertices (0: polygons) under the full
-// contract, in the order of spaces/clippers.hpp, then of guests; and of all scalars.
+// contract, in the order of spaces/clippers.hpp; and of all scalars.
 std::vector<std::string_view> clipper_names(int vertices = 3);
 std::vector<std::string_view> scalar_names();
 
 // The contestants of the full contract whose clipper matches the shell pattern (`*`, `?`; a name
 // without them also stands for the clippers of which it is the folder or the method) and whose
 // scalar is in the list, by clipper, then scalar; a clipper that there is not in a scalar is left
-// out. Guests are among them whatever the pattern is. Throws UsageError naming the option, what was given and what there is.
+// out. Throws UsageError naming the option, what was given and what there is.
 Contestants select_contestants(std::string_view clipper_pattern,
                                const std::vector<std::string>& scalars, int vertices = 3);
 
@@ -51,6 +51,7 @@ struct Selection {
   std::vector<std::string> scenes;  // empty: all built-in ones
   CameraOptions camera;
   std::string clipper = "*";
+  std::vector<std::string_view> guests;  // clippers that the user brought, in the order given
   std::vector<std::string> scalars = {"float", "double"};
   std::uint64_t seed = 1;
   std::size_t sample = 0;  // triangles per view; 0: the command's default
@@ -78,10 +79,12 @@ std::vector<std::string> scene_names(const Selection& selection);
 // Errors: InputError, UsageError.
 Scene load_selected_scene(const Selection& selection, const std::string& name);
 
-Contestants selected_contestants(const Selection& selection);
+// Those of --clipper, and the guests in the scalars selected. Errors: UsageError.
+Contestants selected_contestants(const Selection& selection, int vertices = 3);
 
 // The clippers of the names in the scalars selected, or those of --clipper where it was given: for
-// an experiment that shows a few clippers unless others are asked for. Errors: UsageError.
+// an experiment that shows a few clippers unless others are asked for. Guests are always among
+// them. Errors: UsageError.
 Contestants named_contestants(const Selection& selection, std::span<const std::string_view> names);
 
 }  // namespace clipscope::experiments

@@ -44,19 +44,25 @@ TEST_CASE("guests: one is a contestant like any other, under its own name") {
   CHECK(spoken_contestant("neighbours_clip", "double") == "neighbours_clip");
 }
 
-TEST_CASE("guests: one is selected whatever the pattern is, once, in the scalars that it has") {
+TEST_CASE("guests: one is selected beside whatever else is, once, in the scalars that it has") {
   add_guest(guest_called("pattern_guest"));
+  Selection selection;
+  selection.guests = {"pattern_guest"};
   for (const char* pattern : {"*", "cvv/*", "textbook", "pattern_guest"}) {
     CAPTURE(pattern);
-    CHECK(times_selected("pattern_guest", select_contestants(pattern, {"float", "double"})) == 1);
+    selection.clipper = pattern;
+    const Contestants selected = selected_contestants(selection);
+    CHECK(times_selected("pattern_guest", selected) == 1);
+    CHECK(selected.back()->is_guest);
   }
-  CHECK(times_selected("pattern_guest", select_contestants("*", {"float"})) == 0);
-  CHECK(times_selected("pattern_guest", select_contestants("*", {"double"}, 2)) == 0);
+  selection.clipper = "*";
+  CHECK(times_selected("pattern_guest", selected_contestants(selection, 2)) == 0);
   CHECK_THROWS_AS(select_contestants("no_such_clipper", {"double"}), UsageError);
   constexpr std::array<std::string_view, 2> kNames = {"textbook", "cvv/naive"};
-  const Contestants named = named_contestants({}, kNames);
-  CHECK(times_selected("pattern_guest", named) == 1);
-  CHECK(named.back()->is_guest);
+  selection.clipper = Selection{}.clipper;
+  CHECK(times_selected("pattern_guest", named_contestants(selection, kNames)) == 1);
+  selection.scalars = {"float"};
+  CHECK(times_selected("pattern_guest", selected_contestants(selection)) == 0);
 }
 
 TEST_CASE("guests: a name that there is already is an error") {

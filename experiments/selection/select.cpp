@@ -69,11 +69,7 @@ void add_guests(const Selection& selection, int vertices, Contestants& all) {
 std::vector<std::string_view> clipper_names(int vertices) {
   std::vector<std::string_view> names;
   for (const Contestant& c : all_contestants()) {
-    // Ours are there in float all; a guest may be there in double alone.
-    if ((c.format != &kFormat<float> && !c.is_guest) || c.contract != Contract::full ||
-        c.vertices != vertices) {
-      continue;
-    }
+    if (c.contract != Contract::full || c.vertices != vertices) continue;
     if (std::ranges::find(names, c.clipper) == names.end()) names.push_back(c.clipper);
   }
   return names;

@@ -15,8 +15,9 @@ namespace {
 // In float: the bounds are held to what a float clipper sees. By default one with outcodes of its
 // own, which reject and accept cheaply, so that what bounds save is not overstated.
 Contestants clippers_of(const Selection& selection) {
-  const bool any = selection.clipper == "*";
-  return select_contestants(any ? "homogeneous/sutherland_hodgman" : selection.clipper, {"float"});
+  Selection chosen = selection;
+  if (chosen.clipper == "*") chosen.clipper = "homogeneous/sutherland_hodgman";
+  return select_contestants(chosen, {"float"});
 }
 
 Options options_of(const Selection& selection) {

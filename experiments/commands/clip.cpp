@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/commands/guest_options.hpp"
 #include "experiments/commands/options.hpp"
 #include "experiments/contestants/contestant.hpp"
 #include "experiments/scenes/flatness.hpp"
@@ -27,7 +28,8 @@ constexpr std::size_t kBlock = 1024;  // primitives clipped at once, so that mem
 struct ClipOptions {
   Primitive primitive = Primitive::triangle;
   PrimitiveTextOptions text;
-  std::string clipper;  // empty: default_clipper(primitive)
+  std::string clipper;  // empty: that of a guest, or default_clipper(primitive)
+  GuestOptions guests;
   VolumeOptions volume;
   std::optional<double> point_size;
   std::optional<std::array<double, 2>> viewport;
@@ -55,6 +57,8 @@ const Contestant& chosen_clipper(const ClipOptions& options) {
   if (options.primitive != Primitive::polygon) {
     return find_contestant(name, scalar, static_cast<int>(vertices_of(options.primitive)));
   }
+  const Contestant* guest = find_in_contract(name, scalar, Contract::full, 0);
+  if (guest != nullptr && guest->is_guest) return *guest;
   const Contestant& whole = find_contestant(default_clipper(Primitive::polygon), scalar, 0);
   if (name == whole.clipper || whole.clipper.ends_with("/" + name)) return whole;
   try {
@@ -220,7 +224,10 @@ void add_scissor_planes(ClipOptions& options) {
 int clip_text(ClipOptions options) {
   check_viewport(options);
   add_scissor_planes(options);
-  if (options.clipper.empty()) options.clipper = default_clipper(options.primitive);
+  const std::vector<std::string_view> guests = load_guests(options.guests);
+  if (options.clipper.empty()) {
+    options.clipper = guests.empty() ? default_clipper(options.primitive) : guests.front();
+  }
   const Contestant& contestant = chosen_clipper(options);
   const Batch batch = batch_without_primitives(options, contestant);
   check_takes(contestant, batch);
@@ -289,6 +296,7 @@ void add_clip_command(CLI::App& app, Action& action) {
   add_primitive_option(command, options.primitive);
   add_primitive_text_options(command, options.text);
   add_option(command, "--clipper", options.clipper, "NAME", "Name of a clipper [see below]");
+  add_guest_options(command, options.guests);
   add_volume_options(command, options.volume);
   add_viewport_options(command, options);
   CLI::Option* hex = command.add_flag("--hex", options.hex, "Write hex floats");

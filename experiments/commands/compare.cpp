@@ -7,6 +7,7 @@
 #include <iterator>
 #include <optional>
 
+#include "experiments/commands/guest_options.hpp"
 #include "experiments/commands/options.hpp"
 #include "experiments/contestants/columns.hpp"
 #include "experiments/machine/machine.hpp"
@@ -22,6 +23,7 @@ constexpr std::size_t kTimedTriangles = 20000;  // per scene
 
 struct CompareOptions {
   Selection selection;
+  GuestOptions guests;
   std::optional<std::string> out;
 };
 
@@ -71,7 +73,8 @@ std::string leave_out_frustum_clippers(const Selection& selection, Contestants& 
 }
 
 // All scenes go into one tally and one timing per contestant.
-int compare_contestants(const CompareOptions& options) {
+int compare_contestants(CompareOptions options) {
+  load_guests(options.guests, options.selection);
   const Selection& selection = options.selection;
   if (selection.realtime) measure_in_real_time();
   Contestants contestants = selected_contestants(selection);
@@ -129,6 +132,7 @@ void add_compare_command(CLI::App& app, Action& action) {
                   "One table: outcomes, errors and time of every clipper and scalar");
   add_scene_options(command, options.selection);
   add_contestant_options(command, options.selection);
+  add_guest_options(command, options.guests);
   add_realtime_option(command, options.selection);
   add_out_option(command, options.out);
   add_json_option(command, options.selection);

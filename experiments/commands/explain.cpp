@@ -9,6 +9,7 @@
 
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/commands/explanation.hpp"
+#include "experiments/commands/guest_options.hpp"
 #include "experiments/commands/options.hpp"
 #include "experiments/draw/vector_page.hpp"
 #include "experiments/hard_cases/case_picture.hpp"
@@ -25,6 +26,7 @@ struct ExplainOptions {
   Primitive primitive = Primitive::triangle;
   VolumeOptions volume;
   Selection selection;  // its clipper is empty if none was chosen
+  GuestOptions guests;
   std::string scene, view;
   std::size_t triangle = 0;
   std::string hard_case;
@@ -152,10 +154,13 @@ HardCase chosen_case(const ExplainOptions& options) {
 
 // Errors: UsageError if there is no such clipper or scalar, or if it does not take such input.
 const Contestant& chosen_contestant(const ExplainOptions& options, const HardCase& hard_case) {
-  const std::string& wanted = options.selection.clipper;
-  const Contestant& contestant =
-      find_contestant(wanted.empty() ? default_clipper(hard_case.primitive) : wanted,
-                      options.text.scalar, static_cast<int>(vertices_of(hard_case.primitive)));
+  std::string_view wanted = options.selection.clipper;
+  const std::vector<std::string_view> guests = load_guests(options.guests);
+  if (wanted.empty()) {
+    wanted = guests.empty() ? default_clipper(hard_case.primitive) : guests.front();
+  }
+  const Contestant& contestant = find_contestant(
+      wanted, options.text.scalar, static_cast<int>(vertices_of(hard_case.primitive)));
   check_takes(contestant, {.space = hard_case.space,
                            .matrix = hard_case.matrix,
                            .volume = hard_case.volume,
@@ -217,6 +222,7 @@ Examples:
   add_volume_options(command, options.volume);
   add_option(command, "--clipper", options.selection.clipper, "NAME",
              "Name of a clipper [of triangles: homogeneous/sutherland_hodgman]");
+  add_guest_options(command, options.guests);
   add_option(command, "--scene", options.scene, "NAME|FILE",
              "Take the triangle from this scene or mesh file");
   command.add_option("--view", options.view, "Label of the scene's view [the first]");

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "experiments/catalogue/hard_case.hpp"
+#include "experiments/commands/guest_options.hpp"
 #include "experiments/commands/options.hpp"
 #include "experiments/report/experiment.hpp"
 #include "experiments/scenes/builtin.hpp"
@@ -25,7 +26,13 @@ std::string listed(std::string_view before,
   return text;
 }
 
-std::string promise_text(const Promise& promise) {
+// Of a guest: what it takes, for it promises nothing.
+std::string promise_text(const Contestant& contestant) {
+  const Promise& promise = contestant.promise;
+  const std::string lacks = listed("; does not take ", {{!promise.depth_clamp, "depth clamp"},
+                                                        {!promise.clip_distances, "clip distances"},
+                                                        {!promise.open_sides, "open sides"}});
+  if (contestant.is_guest) return "none" + lacks;
   const bool whole = promise.domain == Promise::Domain::all_or_nothing;
   std::string text =
       fmt::format("{} ulp{}", promise.ulps,
@@ -43,10 +50,14 @@ std::string promise_text(const Promise& promise) {
                                     {promise.constants, "constants"},
                                     {promise.confined, "confined"},
                                     {promise.correctly_rounded, "correctly rounded"}});
-  text += listed("; does not take ", {{!promise.depth_clamp, "depth clamp"},
-                                      {!promise.clip_distances, "clip distances"},
-                                      {!promise.open_sides, "open sides"}});
-  return text;
+  return text + lacks;
+}
+
+// In the first scalar that it is there in.
+const Contestant& contestant_of(std::string_view clipper, int vertices) {
+  return *select_contestants(clipper, {kFormat<float>.name.data(), kFormat<double>.name.data()},
+                             vertices)
+              .front();
 }
 
 Table clippers_table() {
@@ -61,10 +72,10 @@ Table clippers_table() {
        {Primitive::triangle, Primitive::segment, Primitive::point, Primitive::polygon}) {
     const int vertices = static_cast<int>(vertices_of(primitive));
     for (const std::string_view name : clipper_names(vertices)) {
-      const Contestant& c = *find_in_contract(name, kFormat<float>.name, Contract::full, vertices);
+      const Contestant& c = contestant_of(name, vertices);
       table.add_row({std::string(name), to_string(primitive),
                      c.takes_clip_space ? "view, clip" : "view", std::string(c.summary),
-                     promise_text(c.promise), std::string(c.source)});
+                     promise_text(c), std::string(c.source)});
     }
   }
   return table;
@@ -113,10 +124,12 @@ void print_list(const Table& table) {
 
 struct ListOptions {
   std::string what;
+  GuestOptions guests;
   bool json = false;
 };
 
 int list(const ListOptions& options) {
+  load_guests(options.guests);
   const Table table = options.what == "clippers"  ? clippers_table()
                       : options.what == "scalars" ? scalars_table()
                       : options.what == "scenes"  ? scenes_table()
@@ -137,6 +150,7 @@ void add_list_command(CLI::App& app, Action& action) {
   command.add_option("what", options.what, "What to list")
       ->required()
       ->check(CLI::IsMember({"clippers", "scalars", "scenes", "experiments"}));
+  add_guest_options(command, options.guests);
   command.add_flag("--json", options.json, "Print JSON");
 }
 

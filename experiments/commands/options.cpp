@@ -196,7 +196,8 @@ void add_contestant_options(CLI::App& command, Selection& selection) {
 }
 
 void add_contestant_options(CLI::App& command, std::string& clipper, std::string& scalar) {
-  add_option(command, "--clipper", clipper, "NAME", "Name of a clipper")->required();
+  clipper.clear();
+  add_option(command, "--clipper", clipper, "NAME", "Name of a clipper [that of --plugin]");
   command.add_option("--scalar", scalar, "Scalar to compute in [float]");
 }
 

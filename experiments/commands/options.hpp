@@ -104,7 +104,7 @@ void add_scene_options(CLI::App& command, Selection& selection);
 
 // --clipper GLOB and --scalar LIST.
 void add_contestant_options(CLI::App& command, Selection& selection);
-// --clipper NAME, which must be given, and --scalar.
+// --clipper NAME, empty unless it is given, and --scalar; see given_clipper.
 void add_contestant_options(CLI::App& command, std::string& clipper, std::string& scalar);
 
 void add_json_option(CLI::App& command, Selection& selection);

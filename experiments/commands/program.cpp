@@ -26,6 +26,7 @@ constexpr const char* kProgramFooter = R"(Examples:
   clipscope compare --scene teapot          every clipper in float and double, one table
   clipscope compare --scene bunny.obj --clipper 'homogeneous/*'
   clipscope verify --clipper cvv/near_first --scalar float
+  clipscope verify --plugin ./libmine.so    a clipper of yours; see clipscope_plugin.h
   clipscope render --scene floor --clipper cvv/naive --against exact --out floor.png
   echo '0 0 -2  3 0 -2  0 1 -2' | clipscope clip --space view --perspective 90,1,1,10
   clipscope camera --perspective 60,1.7778,0.1,1000

@@ -3,6 +3,7 @@
 // clipscope render: a picture of a scene with a clipper, and its error beside it.
 #include <optional>
 
+#include "experiments/commands/guest_options.hpp"
 #include "experiments/commands/options.hpp"
 #include "experiments/render/figure.hpp"
 #include "experiments/survey/draw_scene.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 struct RenderOptions {
   Selection selection;
+  GuestOptions guests;
   std::string scene, scalar = "float", view, against, out;
   double cells = 8;
   PictureSize size;
@@ -35,7 +37,9 @@ PictureSize picture_size(const std::vector<double>& size) {
 
 int render(const RenderOptions& options) {
   check_image_path(options.out);
-  const Contestant& contestant = find_contestant(options.selection.clipper, options.scalar);
+  const std::vector<std::string_view> guests = load_guests(options.guests);
+  const Contestant& contestant =
+      find_contestant(given_clipper(options.selection.clipper, guests), options.scalar);
   const Scene scene = load_selected_scene(options.selection, options.scene);
   const View& view = find_view(scene, options.view);
   const FrameBuffer tested = draw_with(contestant, scene, view, options.size);
@@ -68,6 +72,7 @@ channels.)");
       ->required();
   command.add_option("--view", options.view, "Label of the scene's view [the first]");
   add_contestant_options(command, options.selection.clipper, options.scalar);
+  add_guest_options(command, options.guests);
   command.add_option("--against", options.against, "Also show the error against this")
       ->check(CLI::IsMember({"exact"}));
   command.add_option("--cells", options.cells, "Checkerboard cells per unit of u and v [8]");

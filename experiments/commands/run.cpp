@@ -10,6 +10,7 @@
 #include <set>
 
 #include "experiments/answers/rows.hpp"
+#include "experiments/commands/guest_options.hpp"
 #include "experiments/commands/options.hpp"
 #include "experiments/commands/passes.hpp"
 #include "experiments/machine/files.hpp"
@@ -25,6 +26,7 @@ namespace fs = std::filesystem;
 
 struct RunOptions {
   Selection selection = default_run_selection();
+  GuestOptions guests;
   std::vector<std::string> names;
   std::string out = "results";
   bool resume = false;
@@ -81,6 +83,7 @@ std::vector<PlannedExperiment> check(const RunOptions& options) {
 }
 
 int run_experiments(RunOptions options) {
+  load_guests(options.guests, options.selection);
   drop_repeated(options.selection.scenes);
   drop_repeated(options.names);
   if (options.selection.realtime) measure_in_real_time();
@@ -123,6 +126,7 @@ with --resume. See `clipscope table` and `clipscope diff`.)");
                      "Names of experiments (see `clipscope list experiments`) [all]");
   add_scene_options(command, options.selection);
   add_contestant_options(command, options.selection);
+  add_guest_options(command, options.guests);
   add_realtime_option(command, options.selection);
   command.add_flag("--pictures", options.selection.pictures,
                    "hard_cases: also a picture (SVG) of every case that a clipper fails on");

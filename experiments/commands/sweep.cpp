@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "experiments/catalogue/lattice.hpp"
+#include "experiments/commands/guest_options.hpp"
 #include "experiments/commands/options.hpp"
 #include "experiments/survey/lattice_sweep.hpp"
 
@@ -12,12 +13,14 @@ namespace {
 
 struct SweepOptions {
   Selection selection;
+  GuestOptions guests;
   std::uint64_t triangles = 1'000'000;
   std::string lattice;  // empty: random triangles
   std::optional<std::string> out;
 };
 
-int run_sweep(const SweepOptions& options) {
+int run_sweep(SweepOptions options) {
+  load_guests(options.guests, options.selection);
   const Selection& selection = options.selection;
   const bool random = options.lattice.empty();
   TableOf<SweepRow> table = random ? sweep_random(options.triangles, selection)
@@ -44,6 +47,7 @@ Lattices: small (0.6 million classes of triangles), medium (2.7), full (53; abou
   command.add_option("--seed", options.selection.seed, "Seed of the random triangles [1]");
   command.add_flag("--quick", options.selection.quick, "Every 16th part of the lattice");
   add_contestant_options(command, options.selection);
+  add_guest_options(command, options.guests);
   add_out_option(command, options.out);
   add_json_option(command, options.selection);
 }

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "experiments/catalogue/catalogue.hpp"
+#include "experiments/commands/guest_options.hpp"
 #include "experiments/commands/options.hpp"
 #include "experiments/judge/compare.hpp"
 #include "experiments/judge/promise.hpp"
@@ -25,6 +26,7 @@ namespace {
 
 struct VerifyOptions {
   Selection selection;
+  GuestOptions guests;
   std::string scalar = "float";
   bool catalogue = false;
   std::optional<std::string> corpus;
@@ -245,7 +247,9 @@ void print(const Contestant& contestant, const Verified& verified) {
 
 int verify(const VerifyOptions& options) {
   const Selection& selection = options.selection;
-  const Contestant& contestant = find_contestant(selection.clipper, options.scalar);
+  const std::vector<std::string_view> guests = load_guests(options.guests);
+  const Contestant& contestant =
+      find_contestant(given_clipper(selection.clipper, guests), options.scalar);
   Verified verified;
   const bool cases = options.catalogue || options.corpus;
   if (cases) {
@@ -277,6 +281,7 @@ void add_verify_command(CLI::App& app, Action& action) {
 worst offender is printed as hex floats; 5: it speaks of none of the triangles, so nothing was
 judged. `clipscope list clippers` shows the promises.)");
   add_contestant_options(command, options.selection.clipper, options.scalar);
+  add_guest_options(command, options.guests);
   command.add_flag(
       "--catalogue", options.catalogue,
       "The hard cases and their families, in view space and clip space, instead of scenes (or besides those named)");

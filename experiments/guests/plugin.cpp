@@ -13,6 +13,7 @@
 #include "experiments/guests/plugin_runner.hpp"
 #include "experiments/guests/texts.hpp"
 #include "experiments/machine/errors.hpp"
+#include "experiments/machine/shell_word.hpp"
 
 namespace clipscope::experiments {
 namespace {

@@ -11,7 +11,4 @@ namespace clipscope::experiments {
 // The same text; it lives as long as the program does. For one thread at a time.
 std::string_view kept_text(std::string text);
 
-// The text as a word of a command in the shell, in quotes where it needs them.
-std::string shell_word(const std::string& text);
-
 }  // namespace clipscope::experiments

@@ -47,7 +47,7 @@ Drawing draw_one(const ExperimentContext& context, const Scene& scene, const Con
 
 void draw(const ExperimentContext& context, const Scene& scene, const PictureSize& size,
           TableOf<Row>& table, PieceRecord& record) {
-  const Contestants contestants = select_contestants(context.selection().clipper, {"float"});
+  const Contestants contestants = select_contestants(context.selection(), {"float"});
   Progress progress(fmt::format("pictures of {}", scene.name), contestants.size());
   const FrameBuffer exact = draw_exact(scene, scene.views.front(), size);
   work_in_order(

@@ -54,10 +54,11 @@ bool is_guest(std::string_view clipper) {
       all_contestants(), [&](const Contestant& c) { return c.is_guest && c.clipper == clipper; });
 }
 
-// Those that are not there yet, in the scalars selected.
-void add_guests(const Selection& selection, int vertices, Contestants& all) {
+// Those that are not there yet, in those of the scalars that they compute in.
+void add_guests(const Selection& selection, const std::vector<std::string>& scalars, int vertices,
+                Contestants& all) {
   for (const std::string_view guest : selection.guests) {
-    for (const std::string& scalar : selection.scalars) {
+    for (const std::string& scalar : scalars) {
       const Contestant* found = find_in_contract(guest, scalar, Contract::full, vertices);
       if (found != nullptr && std::ranges::find(all, found) == all.end()) all.push_back(found);
     }
@@ -117,10 +118,10 @@ const Contestant& find_contestant(std::string_view clipper, std::string_view sca
   const Contestant* found = find_in_contract(matching.front(), scalar, Contract::full, vertices);
   if (found == nullptr) {
     const std::string_view name = matching.front();
-    throw UsageError(is_guest(name)
-                         ? fmt::format("--scalar: {} does not compute in {}", name, scalar)
-                         : fmt::format("--scalar: {} needs an operation that {} does not have",
-                                       name, scalar));
+    throw UsageError(
+        is_guest(name)
+            ? fmt::format("--scalar: {} does not compute in {}", name, scalar)
+            : fmt::format("--scalar: {} needs an operation that {} does not have", name, scalar));
   }
   return *found;
 }
@@ -165,10 +166,26 @@ Scene load_selected_scene(const Selection& selection, const std::string& name) {
   return scene;
 }
 
-Contestants selected_contestants(const Selection& selection, int vertices) {
-  Contestants all = select_contestants(selection.clipper, selection.scalars, vertices);
-  add_guests(selection, vertices, all);
+Contestants select_contestants(const Selection& selection, const std::vector<std::string>& scalars,
+                               int vertices) {
+  Contestants all = select_contestants(selection.clipper, scalars, vertices);
+  add_guests(selection, scalars, vertices, all);
   return all;
+}
+
+Contestants selected_contestants(const Selection& selection, int vertices) {
+  return select_contestants(selection, selection.scalars, vertices);
+}
+
+void check_scalars_of_guests(const Selection& selection) {
+  for (const std::string_view guest : selection.guests) {
+    const auto is_selected = [&](const Contestant& c) {
+      return c.clipper == guest && std::ranges::count(selection.scalars, c.scalar()) > 0;
+    };
+    if (std::ranges::any_of(all_contestants(), is_selected)) continue;
+    throw UsageError(fmt::format("--scalar: {} does not compute in {}", guest,
+                                 fmt::join(selection.scalars, ", ")));
+  }
 }
 
 Contestants named_contestants(const Selection& selection, std::span<const std::string_view> names) {
@@ -177,7 +194,7 @@ Contestants named_contestants(const Selection& selection, std::span<const std::s
   for (const std::string_view name : names) {
     for (const Contestant* c : select_contestants(name, selection.scalars)) all.push_back(c);
   }
-  add_guests(selection, 3, all);
+  add_guests(selection, selection.scalars, 3, all);
   return all;
 }
 

@@ -52,6 +52,7 @@ struct Selection {
   CameraOptions camera;
   std::string clipper = "*";
   std::vector<std::string_view> guests;  // clippers that the user brought, in the order given
+  std::vector<std::string> guest_files;  // what they are in
   std::vector<std::string> scalars = {"float", "double"};
   std::uint64_t seed = 1;
   std::size_t sample = 0;  // triangles per view; 0: the command's default
@@ -79,8 +80,14 @@ std::vector<std::string> scene_names(const Selection& selection);
 // Errors: InputError, UsageError.
 Scene load_selected_scene(const Selection& selection, const std::string& name);
 
-// Those of --clipper, and the guests in the scalars selected. Errors: UsageError.
+// Those of --clipper, and the guests, in the scalars selected. Errors: UsageError.
 Contestants selected_contestants(const Selection& selection, int vertices = 3);
+// The same in other scalars.
+Contestants select_contestants(const Selection& selection, const std::vector<std::string>& scalars,
+                               int vertices = 3);
+
+// Errors: UsageError if a guest computes in none of the scalars selected.
+void check_scalars_of_guests(const Selection& selection);
 
 // The clippers of the names in the scalars selected, or those of --clipper where it was given: for
 // an experiment that shows a few clippers unless others are asked for. Guests are always among

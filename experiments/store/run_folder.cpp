@@ -18,6 +18,7 @@
 #include "experiments/machine/errors.hpp"
 #include "experiments/machine/files.hpp"
 #include "experiments/machine/machine.hpp"
+#include "experiments/machine/shell_word.hpp"
 #include "experiments/selection/replay_text.hpp"
 #include "experiments/store/database.hpp"
 
@@ -48,9 +49,20 @@ Json json_of(const std::optional<Frustum<double>>& f, ProjectionKind kind) {
                       f->infinite_far ? Json("inf") : Json(f->far)});
 }
 
+// The options that brought the guests: "--plugin ./libmine.so".
+std::vector<std::string> guest_options(const Selection& selection) {
+  std::vector<std::string> options;
+  for (const std::string_view guest : selection.guests) {
+    const auto found = std::ranges::find(all_contestants(), guest, &Contestant::clipper);
+    options.emplace_back(found->brought_by);
+  }
+  return options;
+}
+
 // The options that decide the results, by their names on the command line.
 Json options_of(const Selection& s) {
   return {{"scene", s.scenes},
+          {"guests", guest_options(s)},
           {"clipper", s.clipper},
           {"scalar", s.scalars},
           {"seed", s.seed},
@@ -77,15 +89,6 @@ Json options_of(const Selection& s) {
           {"walk", s.camera.walk}};
 }
 
-std::string shell_quoted(const std::string& text) {
-  constexpr const char* kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:+=@";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 std::string value_text(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_array()) return value.is_null() ? "" : value.dump();
@@ -96,9 +99,12 @@ std::string value_text(const Json& value) {
 
 std::string as_option(const std::string& name, const Json& value) {
   if (value.is_boolean()) return fmt::format(" --{}", name);
-  if (name != "scene") return fmt::format(" --{} {}", name, shell_quoted(value_text(value)));
+  if (name == "guests") {
+    return fmt::format(" {}", fmt::join(value.get<std::vector<std::string>>(), " "));
+  }
+  if (name != "scene") return fmt::format(" --{} {}", name, shell_word(value_text(value)));
   std::string options;  // may be repeated
-  for (const Json& scene : value) options += fmt::format(" --scene {}", shell_quoted(scene));
+  for (const Json& scene : value) options += fmt::format(" --scene {}", shell_word(scene));
   return options;
 }
 
@@ -113,10 +119,12 @@ std::string fingerprint(const fs::path& path) {
 
 std::string files_read(const Selection& selection) {
   std::vector<std::string> files;
-  for (const std::string& scene : selection.scenes) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(scene, ignored)) continue;
-    files.push_back(fmt::format("{} {}", scene, fingerprint(scene)));
+  for (const std::vector<std::string>& given : {selection.scenes, selection.guest_files}) {
+    for (const std::string& file : given) {
+      std::error_code ignored;
+      if (!fs::is_regular_file(file, ignored)) continue;
+      files.push_back(fmt::format("{} {}", file, fingerprint(file)));
+    }
   }
   return fmt::format("{}", fmt::join(files, ", "));
 }

@@ -57,7 +57,7 @@ Contestants float_and_double(const Selection& selection) {
   for (const std::string& s : selection.scalars) {
     if (s == kFormat<float>.name || s == kFormat<double>.name) scalars.push_back(s);
   }
-  return select_contestants(selection.clipper, scalars);
+  return select_contestants(selection, scalars);
 }
 
 using Corners = std::array<std::array<float, 4>, 3>;

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/machine/measuring.hpp"
 #include "spaces/plugin/guarded.hpp"
 
 extern char** environ;
@@ -91,16 +92,11 @@ std::filesystem::path beside_program(const std::string& name) {
 }
 
 PluginHost::PluginHost(const std::string& library, const std::vector<int>& processors)
-    : library_(library), processors_(processors.size()) {
+    : library_(library), processors_(processors) {
   shared_.reserve(sizeof(plugin::Control));
   new (shared_.begin()) plugin::Control;
-  for (const int p : processors) {
-    const auto bit = static_cast<std::size_t>(p);
-    if (bit < 64 * control().processors.size()) {
-      control().processors[bit / 64] |= std::uint64_t{1} << (bit % 64);
-    }
-  }
-  stay_awake(false);
+  let_run_on(processors_);
+  stay_awake(kAwakeUs, kAwakeUs);
   start(library);
   std::optional<Failure> failure;
   if (!plugin::send_area(socket_, {plugin::Use::control, 0, shared_.size()}, shared_.file())) {
@@ -180,10 +176,38 @@ std::optional<Failure> PluginHost::hand_over(plugin::Use use, std::size_t index,
   return failure;
 }
 
-void PluginHost::stay_awake(bool awake) {
-  const bool is_alone = processors_ < 2;
-  awake_us_ = is_alone ? 0 : awake ? kTimedAwakeUs : kAwakeUs;
-  control().awake_us = is_alone ? 0 : awake ? kHostAwakeUs : kAwakeUs;
+void PluginHost::let_run_on(const std::vector<int>& processors) {
+  auto& bits = control().processors;
+  bits = {};
+  for (const int p : processors) {
+    const auto bit = static_cast<std::size_t>(p);
+    if (bit < 64 * bits.size()) bits[bit / 64] |= std::uint64_t{1} << (bit % 64);
+  }
+}
+
+// With one processor neither waits awake, since the other one needs it.
+void PluginHost::stay_awake(double program_us, double host_us) {
+  const bool is_alone = processors_.size() < 2;
+  awake_us_ = is_alone ? 0 : program_us;
+  control().awake_us = is_alone ? 0 : host_us;
+}
+
+void PluginHost::enter_clock() {
+  stay_awake(kTimedAwakeUs, kHostAwakeUs);
+  const std::vector<int> own = allowed_processors();
+  const auto other = std::ranges::find_if(processors_, [&](int p) { return p != own.front(); });
+  if (own.size() != 1 || other == processors_.end()) return;
+  let_run_on(own);
+  if (keep_to(*other)) measured_ = own.front();
+}
+
+void PluginHost::leave_clock() {
+  stay_awake(0, 0);
+  let_run_on(processors_);
+  lost_processor();  // it sleeps now
+  stay_awake(kAwakeUs, kAwakeUs);
+  if (measured_) keep_to(*measured_);
+  measured_.reset();
 }
 
 std::int64_t PluginHost::lost_processor() {

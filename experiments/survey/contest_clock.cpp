@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "experiments/guests/plugin_runner.hpp"
 #include "experiments/judge/promise.hpp"
 #include "experiments/machine/measuring.hpp"
 
@@ -72,12 +73,17 @@ Task contest_task(const Contestant& contestant, std::span<const Batch> batches,
                   std::size_t checked) {
   const std::shared_ptr<Runner> runner = contestant.prepare(batches);
   const double size = static_cast<double>(size_of(batches));
-  return {
+  Task task{
       .work = [=](double share) { return clip_share(*runner, batches, share); },
       .check =
           [=, &contestant] { return first_broken_promise(contestant, *runner, batches, checked); },
       .least_share = std::min(1.0, kLeastPrimitives / size),
       .interruptions = [=] { return involuntary_switches() + runner->interruptions(); }};
+  if (auto* const plugin = dynamic_cast<PluginRunner*>(runner.get())) {
+    task.prepare = [=] { plugin->enter_clock(); };
+    task.finish = [=] { plugin->leave_clock(); };
+  }
+  return task;
 }
 
 std::vector<Timing> time_contestants(std::span<const Batch> batches, const Contestants& contestants,

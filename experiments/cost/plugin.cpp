@@ -23,7 +23,7 @@ constexpr const char* kOwnPlugin = "clipscope_own_plugin.so";
 constexpr const char* kItsClipper = "homogeneous/sutherland_hodgman";
 constexpr std::size_t kMostInCall = 4096;  // triangles; the clock asks about 1,024 at once
 
-std::string library() { return beside_program(kOwnPlugin).string(); }
+std::string library() { return file_of_program(kOwnPlugin).string(); }
 
 // Our own plug-in, loaded into this process: nobody else's is. Errors: GuestError.
 const clipscope_plugin& loaded_here() {

@@ -78,17 +78,17 @@ bool SharedArea::reserve(std::size_t bytes) {
   return true;
 }
 
-std::filesystem::path beside_program(const std::string& name) {
+std::filesystem::path file_of_program(const std::string& name) {
   namespace fs = std::filesystem;
   std::error_code ignored;
-  const fs::path beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / name;
-  const fs::path built = fs::path(CLIPSCOPE_PLUGIN_FOLDER) / name;
-  for (const fs::path& path : {beside, built}) {
-    if (fs::exists(path, ignored)) return path;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const fs::path& folder :
+       {program, program / CLIPSCOPE_INSTALLED_FOLDER, fs::path(CLIPSCOPE_BUILT_FOLDER)}) {
+    if (fs::exists(folder / name, ignored)) return folder / name;
   }
   throw GuestError(fmt::format(
       "{} is missing, without which no plug-in can be asked; expected it beside the program, in {}",
-      name, beside.parent_path().string()));
+      name, program.string()));
 }
 
 PluginHost::PluginHost(const std::string& library, const std::vector<int>& processors)
@@ -121,7 +121,7 @@ PluginHost::~PluginHost() {
 }
 
 void PluginHost::start(const std::string& library) {
-  const std::string host = beside_program("clipscope_plugin_host").string();
+  const std::string host = file_of_program("clipscope_plugin_host").string();
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) {
     throw GuestError(fmt::format("no socket for a plug-in: {}", error_text(errno)));

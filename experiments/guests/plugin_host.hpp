@@ -42,8 +42,8 @@ class SharedArea {
   std::size_t bytes_ = 0;
 };
 
-// A file that is installed beside the program, or stands where it was built. Errors: GuestError.
-std::filesystem::path beside_program(const std::string& name);
+// A file that is installed with the program, or stands where it was built. Errors: GuestError.
+std::filesystem::path file_of_program(const std::string& name);
 
 class PluginHost {
  public:

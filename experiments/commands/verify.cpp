@@ -13,6 +13,7 @@
 #include "experiments/commands/options.hpp"
 #include "experiments/judge/compare.hpp"
 #include "experiments/judge/promise.hpp"
+#include "experiments/judge/questions.hpp"
 #include "experiments/machine/progress.hpp"
 #include "experiments/scenes/text_file.hpp"
 #include "experiments/selection/replay_text.hpp"
@@ -87,7 +88,10 @@ void verify_triangles(const Contestant& contestant, const std::string& scene, co
   tbb::parallel_for(std::size_t{0}, checks.size(), [&](std::size_t i) {
     checks[i] =
         checker.check(contestant.promise, reference::input_triangle(triangles[i]), answers[i]);
-    break_by_bits(checks[i], broken_bits(contestant, batch_of(view, std::span(&triangles[i], 1))));
+    const std::string reason = broken_bits(contestant, batch_of(view, std::span(&triangles[i], 1)));
+    if (reason.empty()) return;
+    checks[i].verdict = PromiseVerdict::broken;
+    checks[i].reason = reason;
   });
   for (std::size_t i = 0; i < checks.size(); ++i) {
     const auto comparison = [&] {

@@ -55,6 +55,7 @@ bool Contestant::takes(const Batch& batch) const {
   volume.clip_distances += static_cast<int>(batch.planes.size());
   const bool from_view = batch.space == Space::view && !batch.matrix;
   const int attributes = batch.attributes + static_cast<int>(batch.planes.size());
+  if (from_view && takes_frustum && !takes_frustum(batch.frustum)) return false;
   return vertices == batch.vertices && (from_view || takes_clip_space) &&
          depths[static_cast<std::size_t>(volume.depth)] && attributes <= most_attributes &&
          is_applicable(promise, volume);

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -40,6 +41,9 @@ class Runner {
   // In a stage, what is wrong with the form of the answer: numbers that do not ascend, say. Else
   // empty.
   virtual std::string malformed() const { return ""; }
+  // How often another process that clips in place of the calling thread has lost its processor so
+  // far. Asked before and after each run under the clock, so that such a process is awake then.
+  virtual std::int64_t interruptions() { return 0; }
 };
 
 // What a contestant promises of its polygons in a stage, in clip space.
@@ -72,6 +76,7 @@ struct Contestant {
   bool is_guest = false;
   std::array<bool, 3> depths = {true, true, true};  // by DepthRange
   int most_attributes = kMaxAttributes;             // clip distances and planes included
+  std::function<bool(const Frustum<double>&)> takes_frustum = {};  // of view space; null: any
 
   // Contracts full and cut alone. Pre-condition: the contestant takes the batches, which outlive
   // the runner.

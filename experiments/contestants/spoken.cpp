@@ -118,6 +118,11 @@ std::string words_for(const std::array<Spoken, N>& known, std::string_view name)
   return spoken == known.end() ? in_words(name) : std::string(spoken->words);
 }
 
+bool is_guest(std::string_view clipper) {
+  return std::ranges::any_of(
+      all_contestants(), [&](const Contestant& c) { return c.is_guest && c.clipper == clipper; });
+}
+
 bool has_one_scalar(std::string_view clipper) {
   std::set<std::string_view> scalars;
   for (const Contestant& c : all_contestants()) {
@@ -131,6 +136,7 @@ bool has_one_scalar(std::string_view clipper) {
 std::string spoken_clipper(std::string_view clipper) {
   const auto spoken = std::ranges::find(kClippers, clipper, &Spoken::name);
   if (spoken != kClippers.end()) return std::string(spoken->words);
+  if (is_guest(clipper)) return std::string(clipper);
   const std::size_t slash = clipper.find('/');
   if (slash == clipper.npos) return in_words(clipper);
   const std::string method = words_for(kMethods, clipper.substr(slash + 1));

@@ -13,7 +13,8 @@
 namespace clipscope::experiments {
 
 // "clip space" for homogeneous/sutherland_hodgman, "Cohen-Sutherland in the window" for
-// window/cohen_sutherland; "all planes in clip space" for an unknown homogeneous/all_planes.
+// window/cohen_sutherland; "all planes in clip space" for an unknown homogeneous/all_planes; a
+// guest's own name.
 std::string spoken_clipper(std::string_view clipper);
 
 // "float", "double-double", "exact arithmetic".

@@ -1,125 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/promise.hpp"
+#include "experiments/judge/bit_promise.hpp"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cfloat>
-#include <cmath>
-#include <limits>
-#include <vector>
+#include <utility>
 
+#include "experiments/judge/compare.hpp"
 #include "experiments/judge/containment.hpp"
 #include "experiments/judge/cycle.hpp"
+#include "experiments/judge/match.hpp"
 #include "spaces/planes.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
-constexpr int kScaleExponent = 8;
-constexpr int kRoom = 40;  // |x| in [2^-kRoom, 2^kRoom] or 0: products neither over- nor underflow
-
-using Numbers = std::vector<double>;  // of a vertex: position, attributes
-using Triangle = std::array<Numbers, 3>;
-
-bool has_room(const Numbers& numbers) {
-  return std::ranges::all_of(numbers,
-                             [](double x) { return x == 0 || std::abs(std::ilogb(x)) <= kRoom; });
+// Attributes that are no clip distance.
+std::size_t free_attributes(const Batch& batch) {
+  return static_cast<std::size_t>(batch.attributes - batch.volume.clip_distances);
 }
 
-// Asks a contestant about triangles like the one of a batch.
-class Asked {
- public:
-  Asked(const Contestant& contestant, const Batch& batch)
-      : contestant_(contestant), batch_(batch) {}
-
-  Triangle triangle() const {
-    Triangle t;
-    for (std::size_t i = 0; i < 3 * batch_.stride(); ++i) {
-      t[i / batch_.stride()].push_back(batch_.number(i));
-    }
-    return t;
-  }
-  // In a volume that is scaled by 2^exponent with the triangle.
-  Answers clip(const Triangle& triangle, int exponent = 0) const {
-    Numbers flat;
-    for (const Numbers& v : triangle) flat.insert(flat.end(), v.begin(), v.end());
-    Batch batch = batch_;
-    batch.numbers = std::span<const double>(flat);
-    Frustum<double>& f = batch.frustum;
-    for (double* length : {&f.near, &f.far, &f.left, &f.right, &f.bottom, &f.top}) {
-      *length = std::ldexp(*length, exponent);
-    }
-    if (batch.matrix) {
-      for (Vec4<double>& row : *batch.matrix) row[3] = std::ldexp(row[3], exponent);
-    }
-    return experiments::clip(contestant_, batch);
-  }
-  // How much 1/w shrinks when all is scaled: by as much as w grows, which is 1 for a parallel
-  // projection.
-  int inv_w_exponent() const {
-    const bool is_parallel = batch_.space == Space::view && !batch_.matrix &&
-                             batch_.frustum.kind != ProjectionKind::perspective;
-    return is_parallel ? 0 : kScaleExponent;
-  }
-  // Whether the first two vertices have the distance 0 from some plane, in the contestant's scalar.
-  bool first_edge_lies_in_a_plane() const {
-    return with_scalar(*contestant_.format, [&]<class T>() {
-      return std::ranges::any_of(kAllPlanes, [&](Plane plane) {
-        return distance<T>(plane, 0) == T(0) && distance<T>(plane, 1) == T(0);
-      });
-    });
-  }
-  // Whether neither the triangle nor a matrix has numbers whose products over- or underflow.
-  bool has_room() const {
-    const auto row_has_room = [](const Vec4<double>& row) {
-      return experiments::has_room(Numbers{row[0], row[1], row[2], row[3]});
-    };
-    const auto vertex_has_room = [](const Numbers& v) { return experiments::has_room(v); };
-    return std::ranges::all_of(triangle(), vertex_has_room) &&
-           (!batch_.matrix || std::ranges::all_of(*batch_.matrix, row_has_room));
-  }
-  std::size_t dimension() const { return static_cast<std::size_t>(batch_.dimension()); }
-  int attributes() const { return batch_.attributes; }
-  const ClipVolume& volume() const { return batch_.volume; }
-  int clip_distances() const { return volume().clip_distances; }
-  const Contestant& contestant() const { return contestant_; }
-
- private:
-  template <class T>
-  T distance(Plane plane, std::size_t vertex) const {
-    const auto at = [&](std::size_t i) {
-      return scalar_from<T>(batch_.number(vertex * batch_.stride() + i));
-    };
-    if (batch_.space == Space::view) {
-      const ViewVertex<T, 0> v{{at(0), at(1), at(2)}, {}};
-      if (batch_.matrix) {
-        return signed_distance(batch_.volume.depth, plane,
-                               to_clip(matrix_from<T>(*batch_.matrix), v));
-      }
-      return signed_distance(projection_from<T>(batch_.frustum).frustum, plane, v);
-    }
-    return signed_distance(batch_.volume.depth, plane,
+// The distance of a vertex from a plane, as a clipper in that scalar has it.
+template <class T>
+T distance_of(const Batch& batch, Plane plane, std::size_t vertex) {
+  const auto at = [&](std::size_t i) {
+    return scalar_from<T>(batch.number(vertex * batch.stride() + i));
+  };
+  if (batch.space == Space::clip) {
+    return signed_distance(batch.volume.depth, plane,
                            ClipVertex<T, 0>{{at(0), at(1), at(2), at(3)}, {}});
   }
-
-  const Contestant& contestant_;
-  const Batch& batch_;
-};
-
-bool is_total(const Answers& answers) {
-  return !answers.overflowed && answers[0].failure() == nullptr &&
-         std::ranges::all_of(answers[0], [](const VertexView& v) {
-           return is_finite(v[0]) && is_finite(v[1]) && is_finite(v[2]) && !is_nan(v[3]);
-         });
+  const ViewVertex<T, 0> v{{at(0), at(1), at(2)}, {}};
+  if (batch.matrix) {
+    return signed_distance(batch.volume.depth, plane, to_clip(matrix_from<T>(*batch.matrix), v));
+  }
+  return signed_distance(projection_from<T>(batch.frustum).frustum, plane, v);
 }
 
-Triangle scaled(Triangle triangle, std::size_t dimension) {
-  for (Numbers& v : triangle) {
-    for (std::size_t i = 0; i < dimension; ++i) v[i] = std::ldexp(v[i], kScaleExponent);
-  }
-  return triangle;
+bool is_total(const PolygonView& polygon) {
+  return std::ranges::all_of(polygon, [](const VertexView& v) {
+    return is_finite(v[0]) && is_finite(v[1]) && is_finite(v[2]) && !is_nan(v[3]);
+  });
+}
+
+// How much 1/w shrinks when all is scaled: by as much as w grows, which is 1 for a parallel
+// projection.
+int inv_w_exponent(const Batch& batch) {
+  const bool is_parallel = batch.space == Space::view && !batch.matrix &&
+                           batch.frustum.kind != ProjectionKind::perspective;
+  return is_parallel ? 0 : kScaleExponent;
 }
 
 // Whether b is a with 1/w divided by 2^exponent.
@@ -134,44 +66,24 @@ bool same_scaled(const PolygonView& a, const PolygonView& b, int exponent) {
   return true;
 }
 
-// The vertices on the edge from vertex 0 to vertex 1: those that the mark in the last attribute of
-// vertex 2 did not reach (see is_watertight).
-std::vector<VertexView> on_first_edge(const PolygonView& polygon) {
-  std::vector<VertexView> edge;
-  for (const VertexView& v : polygon) {
-    if (v[v.size() - 1].value == 0) edge.push_back(v);
+bool same_bits(const PolygonView& a, const PolygonView& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t v = 0; v < a.size(); ++v) {
+    if (!same_vertex(a[v], b[v], Likeness::by_bits)) return false;
   }
-  return edge;
+  return true;
 }
 
-bool same_set(const std::vector<VertexView>& a, const std::vector<VertexView>& b) {
-  const auto covers = [](const auto& x, const auto& y) {
+// The first `count` numbers of vertices: the same set.
+bool same_set(const std::vector<VertexView>& a, const std::vector<VertexView>& b,
+              std::size_t count) {
+  const auto covers = [count](const auto& x, const auto& y) {
     return std::ranges::all_of(x, [&](const VertexView& v) {
       return std::ranges::any_of(
-          y, [&](const VertexView& u) { return same_vertex(u, v, Likeness::by_value); });
+          y, [&](const VertexView& u) { return same_vertex(u, v, count, Likeness::by_value); });
     });
   };
   return covers(a, b) && covers(b, a);
-}
-
-// The triangle on the other side of the edge from vertex 0 to vertex 1, its third vertex across.
-Triangle neighbour(const Triangle& t, std::size_t dimension) {
-  Triangle r = {t[1], t[0], t[2]};
-  for (std::size_t i = 0; i < dimension; ++i) r[2][i] = t[0][i] + t[1][i] - t[2][i];
-  return r;
-}
-
-// A NaN marks all that it touches. A barycentric clipper multiplies it by 0 everywhere; its weight
-// of vertex 2 is exactly 0 on the edge, and 1 marks what has any.
-// Pre-condition: no attribute is a clip distance but those before the last.
-bool is_watertight(const Asked& asked, Triangle triangle) {
-  const bool is_barycentric = asked.contestant().clipper.starts_with("barycentric/");
-  for (Numbers& v : triangle) v.back() = 0;
-  triangle[2].back() = is_barycentric ? 1 : std::numeric_limits<double>::quiet_NaN();
-  const Answers left = asked.clip(triangle);
-  const Answers right = asked.clip(neighbour(triangle, asked.dimension()));
-  return left[0].empty() || right[0].empty() ||
-         same_set(on_first_edge(left[0]), on_first_edge(right[0]));
 }
 
 // Floats that a mean or a sum of products is apt to change or to lose: many bits, the largest, the
@@ -181,83 +93,242 @@ constexpr std::array<double, 6> kConstants = {
 
 bool is_value(const Number& x, double value) { return is_finite(x) && to_exact(x) == Exact(value); }
 
-// What becomes of attributes that have one value at all vertices; empty if they keep it. Clip
-// distances stay as they are.
-std::string changed_constant(const Asked& asked, Triangle triangle) {
-  const auto first = asked.dimension() + static_cast<std::size_t>(asked.clip_distances());
-  const std::size_t end = triangle[0].size();
-  for (std::size_t used = 0; used < kConstants.size(); used += end - first) {
-    const auto value_at = [&](std::size_t i) {
-      return kConstants[(used + i - first) % kConstants.size()];
-    };
-    for (Numbers& v : triangle) {
-      for (std::size_t i = first; i < end; ++i) v[i] = value_at(i);
-    }
-    const Answers answers = asked.clip(triangle);
-    for (const VertexView& v : answers[0]) {
-      for (std::size_t i = first; i < end; ++i) {
-        const Number found = v[4 + i - asked.dimension()];
-        if (is_value(found, value_at(i))) continue;
-        return fmt::format("not constant: an attribute that is {} at all vertices becomes {}",
-                           value_at(i), found.value);
-      }
+// What becomes of the last attributes, whose values are the same at all vertices; empty if they
+// keep them.
+std::string changed_constant(const PolygonView& polygon, const std::vector<double>& values) {
+  for (const VertexView& v : polygon) {
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const Number found = v[v.size() - values.size() + k];
+      if (is_value(found, values[k])) continue;
+      return fmt::format("not constant: an attribute that is {} at all vertices becomes {}",
+                         values[k], found.value);
     }
   }
   return {};
-}
-
-// What is wrong with the numbers of an answer, whatever else the clipper answers. The quotient of
-// two double-doubles is not rounded correctly and may exceed a bound.
-std::string broken_values(const Asked& asked, const Triangle& triangle,
-                          const PolygonView& polygon) {
-  const Promise& promise = asked.contestant().promise;
-  const bool is_double_double = polygon.format().precision == kFormat<dd_real>.precision;
-  if (promise.confined && !is_double_double) {
-    const double beyond = overshoot(asked.volume(), polygon);
-    if (beyond > 0) {
-      return fmt::format("not confined: a coordinate is {:.3g} beyond its bound in NDC", beyond);
-    }
-  }
-  const bool has_free_attribute = asked.attributes() > asked.clip_distances();
-  return promise.constants && has_free_attribute ? changed_constant(asked, triangle) : "";
 }
 
 }  // namespace
 
-std::string broken_bits(const Contestant& contestant, const Batch& batch) {
-  const Promise& promise = contestant.promise;
-  const Asked asked(contestant, batch);
-  const Triangle triangle = asked.triangle();
-  const Answers answers = asked.clip(triangle);
-  if (promise.total && !is_total(answers)) return "not total: a coordinate is not finite";
-  if (const std::string reason = broken_values(asked, triangle, answers[0]); !reason.empty()) {
-    return reason;
+BitQuestions::BitQuestions(const Contestant& contestant, const Batch& batch, const Questions& asked,
+                           const Answers& given)
+    : contestant_(contestant), batch_(batch), given_(given), has_room_(room_of(batch)) {
+  add_variants(asked);
+  ask();
+}
+
+void BitQuestions::add_variants(const Questions& asked) {
+  if (asked.contains(Question::rotation)) {
+    asked_.push_back({Question::rotation, "with its second vertex first", rotated(batch_, 1)});
+    asked_.push_back({Question::rotation, "with its third vertex first", rotated(batch_, 2)});
   }
-  if (promise.rotation_invariant) {
-    const Answers rotated = asked.clip({triangle[1], triangle[2], triangle[0]});
-    if (!same_cycle(answers[0], rotated[0], Likeness::by_value)) {
-      return "another vertex first gives other bits";
+  if (asked.contains(Question::scale)) {
+    asked_.push_back({Question::scale, "scaled by 2^8", scaled(batch_, has_room_)});
+  }
+  if (asked.contains(Question::constants)) add_constants();
+  if (asked.contains(Question::watertight)) add_watertight();
+  if (asked.contains(Question::steady)) add_steady();
+}
+
+void BitQuestions::add_constants() {
+  const std::size_t free = free_attributes(batch_);
+  for (std::size_t used = 0; free > 0 && used < kConstants.size(); used += free) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < free; ++k) {
+      values.push_back(kConstants[(used + k) % kConstants.size()]);
     }
+    asked_.push_back({Question::constants, "with attributes that are constant",
+                      with_constants(batch_, values), Order::same, values});
   }
-  if (!asked.has_room()) return {};
-  if (promise.scale_invariant) {
-    const Answers larger = asked.clip(scaled(triangle, asked.dimension()), kScaleExponent);
-    if (!same_scaled(answers[0], larger[0], asked.inv_w_exponent())) {
-      return "scaled by 2^8 it gives other bits";
-    }
+}
+
+// A NaN marks all that it touches. A barycentric clipper multiplies it by 0 everywhere; its weight
+// of vertex 2 is exactly 0 on the edge, and 1 marks what has any. A guest is not asked for marks.
+void BitQuestions::add_watertight() {
+  const bool as_floats = contestant_.format->is_float();
+  if (contestant_.format->is_exact()) return;
+  if (contestant_.is_guest) {
+    truth_ = reference::truth_of(batch_);
+    asked_.push_back({Question::watertight, "beside its neighbour across the first edge",
+                      neighbours(batch_, has_room_, as_floats)});
+    return;
   }
-  const bool has_free_attribute = asked.attributes() > asked.clip_distances();
-  if (promise.watertight && !contestant.format->is_exact() && has_free_attribute &&
-      !asked.first_edge_lies_in_a_plane() && !is_watertight(asked, triangle)) {
-    return "not watertight: a neighbour has other vertices on the shared edge";
+  if (free_attributes(batch_) == 0) return;
+  const bool is_barycentric = contestant_.clipper.starts_with("barycentric/");
+  Variant left =
+      marked(batch_, has_room_, is_barycentric ? 1 : std::numeric_limits<double>::quiet_NaN());
+  Variant right = neighbours(left.batch(), has_room_, as_floats);
+  asked_.push_back({Question::watertight, "with a mark", std::move(left)});
+  asked_.push_back({Question::watertight, "with a mark, its neighbour", std::move(right)});
+}
+
+void BitQuestions::add_steady() {
+  for (std::size_t t = 0; t < given_.size(); ++t) {
+    if (given_[t].empty()) continue;
+    lone_ = t;
+    break;
+  }
+  asked_.push_back({Question::steady, "again", Variant(batch_)});
+  asked_.push_back({Question::steady, "in another order", reversed(batch_), Order::reversed});
+  asked_.push_back({Question::steady, "alone", alone(batch_, lone_), Order::alone});
+}
+
+// A guest is asked about one batch after the other: it may have but one process.
+void BitQuestions::ask() {
+  const auto ask_one = [&](std::size_t i) {
+    asked_[i].answers = clip(contestant_, asked_[i].variant.batch());
+  };
+  if (contestant_.is_guest || batch_.size() == 1) {
+    for (std::size_t i = 0; i < asked_.size(); ++i) ask_one(i);
+  } else {
+    tbb::parallel_for(std::size_t{0}, asked_.size(), ask_one);
+  }
+}
+
+std::optional<PolygonView> BitQuestions::answer(const Asked& asked, std::size_t triangle) const {
+  switch (asked.order) {
+    case Order::same: return (*asked.answers)[triangle];
+    case Order::reversed: return (*asked.answers)[batch_.size() - 1 - triangle];
+    case Order::alone: break;
+  }
+  if (triangle != lone_) return std::nullopt;
+  return (*asked.answers)[0];
+}
+
+std::string BitQuestions::failure(std::size_t triangle) const {
+  for (const Asked& asked : asked_) {
+    const std::optional<PolygonView> polygon = answer(asked, triangle);
+    if (!polygon || !polygon->failure()) continue;
+    return fmt::format("asked {}: {}", asked.how, polygon->failure()->reason);
   }
   return {};
 }
 
-void break_by_bits(PromiseCheck& check, const std::string& reason) {
-  if (reason.empty()) return;
-  check.verdict = PromiseVerdict::broken;
-  check.reason = reason;
+// Of all variants of that question; judge(asked, polygon): what is wrong, or empty.
+template <class Judge>
+Found BitQuestions::judge_variants(Question question, std::size_t triangle,
+                                   const Judge& judge) const {
+  Found found;
+  for (const Asked& asked : asked_) {
+    if (asked.question != question) continue;
+    const std::optional<PolygonView> polygon = answer(asked, triangle);
+    if (!polygon || polygon->failure()) continue;
+    found.judged = true;
+    found.reason = judge(asked, *polygon);
+    if (!found.reason.empty()) return found;
+  }
+  return found;
+}
+
+Found BitQuestions::judge(Question question, std::size_t triangle) const {
+  const PolygonView given = given_[triangle];
+  const auto reason_if = [](bool is_broken, std::string reason) {
+    return is_broken ? std::move(reason) : std::string();
+  };
+  switch (question) {
+    case Question::total: return judge_total(triangle);
+    case Question::confined: return judge_confined(triangle);
+    case Question::rotation:
+      return judge_variants(question, triangle, [&](const Asked&, const PolygonView& polygon) {
+        return reason_if(!same_cycle(given, polygon, Likeness::by_value),
+                         "another vertex first gives other bits");
+      });
+    case Question::scale:
+      if (!has_room_[triangle]) return {};
+      return judge_variants(question, triangle, [&](const Asked&, const PolygonView& polygon) {
+        return reason_if(!same_scaled(given, polygon, inv_w_exponent(batch_)),
+                         "scaled by 2^8 it gives other bits");
+      });
+    case Question::constants:
+      return judge_variants(question, triangle,
+                            [&](const Asked& asked, const PolygonView& polygon) {
+                              return changed_constant(polygon, asked.constants);
+                            });
+    case Question::steady:
+      return judge_variants(
+          question, triangle, [&](const Asked& asked, const PolygonView& polygon) {
+            return reason_if(!same_bits(given, polygon),
+                             fmt::format("not steady: asked {} it gives other bits", asked.how));
+          });
+    case Question::watertight: return judge_watertight(triangle);
+    default: return {};
+  }
+}
+
+Found BitQuestions::judge_total(std::size_t triangle) const {
+  if (!is_total(given_[triangle])) return Found::broken("not total: a coordinate is not finite");
+  // What overflowed is known of the whole batch alone.
+  if (given_.overflowed && clip(contestant_, alone(batch_, triangle).batch()).overflowed) {
+    return Found::broken("not total: more vertices than there is room for");
+  }
+  return Found::kept();
+}
+
+// The quotient of two double-doubles is not rounded correctly and may exceed a bound.
+Found BitQuestions::judge_confined(std::size_t triangle) const {
+  if (contestant_.format->precision == kFormat<dd_real>.precision) return {};
+  const double beyond = overshoot(batch_.volume, given_[triangle]);
+  if (beyond == 0) return Found::kept();
+  return Found::broken(
+      fmt::format("not confined: a coordinate is {:.3g} beyond its bound in NDC", beyond));
+}
+
+// Whether the first two vertices have the distance 0 from some plane, in the contestant's scalar.
+bool BitQuestions::first_edge_lies_in_a_plane(std::size_t triangle) const {
+  return with_scalar(*contestant_.format, [&]<class T>() {
+    return std::ranges::any_of(kAllPlanes, [&](Plane plane) {
+      return distance_of<T>(batch_, plane, 3 * triangle) == T(0) &&
+             distance_of<T>(batch_, plane, 3 * triangle + 1) == T(0);
+    });
+  });
+}
+
+// The vertices on the edge from vertex 0 to vertex 1: those that the mark in the last attribute of
+// vertex 2 did not reach; of a guest those that stand for vertices of the exact polygon that have
+// no part of vertex 2. Nothing where it has not as many as that.
+std::optional<std::vector<VertexView>> BitQuestions::on_first_edge(
+    const Batch& batch, std::size_t triangle, const PolygonView& polygon) const {
+  std::vector<VertexView> edge;
+  if (!truth_) {
+    std::ranges::copy_if(polygon, std::back_inserter(edge),
+                         [](const VertexView& v) { return v[v.size() - 1].value == 0; });
+    return edge;
+  }
+  std::vector<reference::InputVertex> vertices = input_vertices(batch, triangle);
+  const auto mark = static_cast<std::size_t>(batch.volume.clip_distances);
+  for (std::size_t v = 0; v < 3; ++v) vertices[v].attributes[mark] = v == 2;
+  const TruthPolygon exact = truth_polygon(*truth_, vertices, static_cast<int>(mark) + 1);
+  const std::vector<VertexView> found = distinct_vertices(polygon);
+  if (!exact.is_visible() || found.size() != exact.exact.vertices.size()) return std::nullopt;
+  const std::size_t shift = best_rotation(screen_points(exact.approximation), screen_points(found));
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (exact.exact.vertices[i].attributes[mark].sign() != 0) continue;
+    edge.push_back(found[(i + shift) % found.size()]);
+  }
+  return edge;
+}
+
+Found BitQuestions::judge_watertight(std::size_t triangle) const {
+  struct Side {
+    const Batch* batch;
+    PolygonView polygon;
+  };
+  std::vector<Side> sides;
+  if (contestant_.is_guest) sides.push_back({&batch_, given_[triangle]});
+  for (const Asked& asked : asked_) {
+    if (asked.question != Question::watertight) continue;
+    sides.push_back({&asked.variant.batch(), (*asked.answers)[triangle]});
+  }
+  if (sides.size() != 2 || !has_room_[triangle] || first_edge_lies_in_a_plane(triangle)) return {};
+  if (std::ranges::any_of(sides, [](const Side& s) { return s.polygon.empty(); })) return {};
+  const auto left = on_first_edge(*sides[0].batch, triangle, sides[0].polygon);
+  const auto right = on_first_edge(*sides[1].batch, triangle, sides[1].polygon);
+  if (!left || !right) return {};
+  constexpr std::size_t kPlace = 3;
+  const std::size_t numbers = given_.stride();
+  if (same_set(*left, *right, numbers)) return Found::kept();
+  return Found::broken(
+      fmt::format("not watertight: a neighbour has other {} on the shared edge",
+                  same_set(*left, *right, kPlace) ? "1/w or attributes" : "vertices"));
 }
 
 }  // namespace clipscope::experiments

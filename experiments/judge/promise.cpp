@@ -146,28 +146,43 @@ double largest_attribute(InputVertices vertices, int attribute_count) {
   return largest;
 }
 
+using Breach = PromiseCheck::Breach;
+constexpr double kBeyondAll = std::numeric_limits<double>::infinity();
+
+// Breaks the promise. kind: what of it.
+void break_promise(PromiseCheck& check, Breach PromiseCheck::*kind, std::string reason,
+                   double excess = kBeyondAll) {
+  Breach& breach = check.*kind;
+  breach.excess = std::max(breach.excess, excess);
+  if (check.verdict == PromiseVerdict::kept) check.reason = reason;
+  if (breach.reason.empty()) breach.reason = std::move(reason);
+  check.verdict = PromiseVerdict::broken;
+}
+
 // Notes a squared distance; breaks the promise where it is beyond the tolerance.
 template <class N>
-void judge(const N& squared, const Case<N>& c, std::string_view what, PromiseCheck& check) {
+void judge(const N& squared, const Case<N>& c, std::string_view what, PromiseCheck& check,
+           Breach PromiseCheck::*kind) {
   const N bound = N(c.tolerance) * N(c.tolerance);
   const double distance = std::sqrt(nearest_double(squared));
   if (c.unit > 0) {
     check.ulps = std::max(check.ulps, distance / c.unit);
   } else if (N(0) < squared) {
-    check.ulps = std::numeric_limits<double>::infinity();
+    check.ulps = kBeyondAll;
   }
-  if (bound < squared && check.verdict == PromiseVerdict::kept) {
-    check.verdict = PromiseVerdict::broken;
-    check.reason =
-        fmt::format("{}: {:.3g} in clip space, promised {:.3g}", what, distance, c.tolerance);
-  }
+  if (!(bound < squared)) return;
+  break_promise(
+      check, kind,
+      fmt::format("{}: {:.3g} in clip space, promised {:.3g}", what, distance, c.tolerance),
+      c.tolerance > 0 ? distance / c.tolerance : kBeyondAll);
 }
 
 template <class N>
 void judge_containment(const ClipVolume& volume, const Case<N>& c, PromiseCheck& check) {
   for (const Lifted<N>& p : c.polygon) {
     const N least = least_plane_distance(volume, p);
-    if (least < N(0)) judge(N(least * least), c, "a vertex lies outside the volume", check);
+    if (!(least < N(0))) continue;
+    judge(N(least * least), c, "a vertex lies outside the volume", check, &PromiseCheck::contained);
   }
 }
 
@@ -180,8 +195,10 @@ void judge_ownership(const reference::Truth& truth, const PromiseChecker::Settin
   for (const reference::Truth::HalfSpace& half_space : wider.half_spaces()) {
     const auto is_inside = [&](const InputVertex& v) { return sign(half_space.form, v) > 0; };
     if (!half_space.is_open || std::ranges::any_of(s.vertices, is_inside)) continue;
-    check = {PromiseVerdict::broken, std::numeric_limits<double>::infinity(),
-             fmt::format("all of the {} is on or outside of an open side, and was drawn", c.noun)};
+    check.ulps = kBeyondAll;
+    break_promise(
+        check, &PromiseCheck::contained,
+        fmt::format("all of the {} is on or outside of an open side, and was drawn", c.noun));
   }
 }
 
@@ -189,7 +206,7 @@ template <class N>
 void judge_vertices(const Case<N>& c, PromiseCheck& check) {
   for (const Lifted<N>& p : c.polygon) {
     const N d = squared_distance_to_triangle(p, c.input[0], c.input[1], c.input[2]);
-    judge(d, c, fmt::format("a vertex lies off the {}", c.noun), check);
+    judge(d, c, fmt::format("a vertex lies off the {}", c.noun), check, &PromiseCheck::contained);
   }
 }
 
@@ -197,12 +214,13 @@ void judge_vertices(const Case<N>& c, PromiseCheck& check) {
 template <class N>
 void judge_whole(const Case<N>& c, PromiseCheck& check) {
   if (c.polygon.size() != 3) {
-    check = {PromiseVerdict::broken, 0, fmt::format("{} vertices, promised 3", c.polygon.size())};
+    break_promise(check, &PromiseCheck::covers,
+                  fmt::format("{} vertices, promised 3", c.polygon.size()));
     return;
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const auto d = difference(c.polygon[i], c.input[i]);
-    judge(dot(d, d), c, "a vertex was moved", check);
+    judge(dot(d, d), c, "a vertex was moved", check, &PromiseCheck::covers);
   }
 }
 
@@ -215,13 +233,15 @@ void judge_coverage(const reference::Truth& truth, const PromiseChecker::Setting
       reference::clip(truth.inset(c.tolerance, attribute_tolerance), s.vertices, s.attribute_count);
   if (deep.vertices.size() < s.vertices.size()) return;
   if (c.polygon.empty()) {
-    check = {PromiseVerdict::broken, std::numeric_limits<double>::infinity(),
-             fmt::format("nothing was drawn, but part of the {} is visible", c.noun)};
+    check.ulps = kBeyondAll;
+    break_promise(check, &PromiseCheck::covers,
+                  fmt::format("nothing was drawn, but part of the {} is visible", c.noun));
     return;
   }
   for (const ExactVertex& v : deep.vertices) {
     const Lifted<N> p = lift_exact<N>(v, c.attribute_scale, c.attribute_count);
-    judge(squared_distance_to_polygon(p, c.polygon), c, "a visible point was not drawn", check);
+    judge(squared_distance_to_polygon(p, c.polygon), c, "a visible point was not drawn", check,
+          &PromiseCheck::covers);
   }
 }
 
@@ -440,7 +460,7 @@ PromiseCheck PromiseChecker::check(const Promise& promise, InputVertices vertice
   if (const Failure* failure = polygon.failure()) {
     return {PromiseVerdict::broken, kInfinite, failure->reason};
   }
-  if (std::isinf(promise.ulps)) return {};
+  if (std::isinf(promise.ulps) && !promise.covers && !promise.contained) return {};
   if (promise.correctly_rounded && !by_matrix_ && polygon.format().is_float()) {
     const std::string reason = misrounded(truth_, vertices, attribute_count, polygon);
     if (!reason.empty()) return {PromiseVerdict::broken, kInfinite, reason};

@@ -34,11 +34,20 @@ namespace clipscope::experiments {
 enum class PromiseVerdict { kept, broken, outside_domain };
 
 struct PromiseCheck {
+  // What is too far off of one kind: the first found, and the farthest in tolerances.
+  struct Breach {
+    std::string reason = "";  // empty: nothing
+    double excess = 0;
+  };
+
   PromiseVerdict verdict = PromiseVerdict::kept;
   // Backward error in units of u * M * amplification, over all distances that the promise bounds;
   // for exact arithmetic 0 or infinity.
   double ulps = 0;
-  std::string reason;  // when broken: what was found and what was promised
+  std::string reason = "";  // when broken: what was found and what was promised
+  // Drawn outside of volume or triangle; visible and not drawn, or of what is kept whole moved.
+  // Both empty where it is broken for another reason.
+  Breach contained = {}, covers = {};
 };
 
 // What a promise is checked against: the volume in exact numbers, and the same volume in doubles
@@ -56,8 +65,8 @@ class PromiseChecker {
   PromiseChecker(const Frustum<double>& frustum, const ClipVolume& volume);
   explicit PromiseChecker(const ClipVolume& volume);
 
-  // Where there is no answer every promise is broken; who promises no distance (no_promise) keeps it.
-  // vertices: two of a segment or three of a triangle. Pre-condition: they are finite; for a
+  // Where there is no answer every promise is broken; who promises no distance (no_promise) keeps
+  // it. vertices: two of a segment or three of a triangle. Pre-condition: they are finite; for a
   // segment the promise's domain is not all_or_nothing.
   PromiseCheck check(const Promise& promise, std::span<const reference::InputVertex> vertices,
                      int attribute_count, const PolygonView& polygon) const;
@@ -90,24 +99,6 @@ class PromiseChecker {
   bool by_matrix_ = false;
 };
 
-// Does a clipper keep what it promises to the bit (spaces/clipper.hpp): total, watertight,
-// invariant under rotation of the vertices and under scaling by 2^k, confined to the volume,
-// keeping what is constant?
-//
-// The clipper is asked again about the triangle rotated, scaled, with attributes that are the same
-// at all vertices, and beside a neighbour that shares its first edge; the answers must have the
-// same bits.
-
-// What the promise breaks on this triangle; empty if it keeps it. Scaling is tried only where
-// coordinates leave room for it in the format; watertightness not where the edge lies in a plane,
-// since one side may keep nothing but the edge then.
-// Pre-condition: the batch is one triangle that the contestant takes, finite, with an attribute or
-// more.
-std::string broken_bits(const Contestant& contestant, const Batch& triangle);
-
-// Breaks the check for this reason, unless it is empty.
-void break_by_bits(PromiseCheck& check, const std::string& reason);
-
 // Is a polygon of floats the exact one, rounded once to nearest, ties to even, bit for bit?
 
 // What differs; empty if nothing does. The exact answer is nothing where a z rounds to infinity.
@@ -118,5 +109,9 @@ void break_by_bits(PromiseCheck& check, const std::string& reason);
 std::string misrounded(const reference::Truth& truth,
                        std::span<const reference::InputVertex> vertices, int attribute_count,
                        const PolygonView& polygon);
+// The same whichever vertex is first, and 0 may be -0. The difference named is that of the
+// reference's order.
+std::string misrounded_in_any_order(const reference::ExactPolygon& exact,
+                                    const PolygonView& polygon);
 
 }  // namespace clipscope::experiments

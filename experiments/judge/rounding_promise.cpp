@@ -28,10 +28,10 @@ std::vector<Row> rounded(const reference::ExactPolygon& exact) {
   return r;
 }
 
-bool is_repeated(const Row& row, const std::vector<Row>& exact) {
+bool is_repeated(const Row& row, const std::vector<Row>& exact, Likeness likeness) {
   constexpr std::size_t kPlace = 3;
-  return std::ranges::any_of(
-      exact, [&](const Row& e) { return same_vertex(row, e, kPlace, Likeness::by_bits); });
+  return std::ranges::any_of(exact,
+                             [&](const Row& e) { return same_vertex(row, e, kPlace, likeness); });
 }
 
 std::string name(std::size_t i) {
@@ -39,19 +39,15 @@ std::string name(std::size_t i) {
   return i < kNames.size() ? kNames[i] : fmt::format("attribute {}", i - kNames.size());
 }
 
-std::string complaint(std::size_t vertex, const Row& is, const Row& nearest) {
+std::string complaint(std::size_t vertex, const Row& is, const Row& nearest, Likeness likeness) {
   std::size_t i = 0;
-  while (same_number(is[i], nearest[i], Likeness::by_bits)) ++i;
+  while (same_number(is[i], nearest[i], likeness)) ++i;
   return fmt::format("not correctly rounded: vertex {}, {} is {}, the nearest float {}", vertex,
                      name(i), hex_float(is[i]), hex_float(nearest[i]));
 }
 
-}  // namespace
-
-std::string misrounded(const reference::Truth& truth,
-                       std::span<const reference::InputVertex> vertices, int attribute_count,
-                       const PolygonView& polygon) {
-  const std::vector<Row> exact = rounded(reference::clip(truth, vertices, attribute_count));
+std::string complaint_about(const std::vector<Row>& exact, const PolygonView& polygon,
+                            Likeness likeness) {
   if (polygon.empty() && exact.size() < 3) return {};
   if (polygon.size() < exact.size()) {
     return fmt::format("not correctly rounded: {} vertices, exactly {}", polygon.size(),
@@ -60,17 +56,37 @@ std::string misrounded(const reference::Truth& truth,
   std::size_t found = 0;
   for (std::size_t v = 0; v < polygon.size(); ++v) {
     const Row row = floats_of(polygon[v]);
-    if (found < exact.size() && same_vertex(row, exact[found], Likeness::by_bits)) {
+    if (found < exact.size() && same_vertex(row, exact[found], likeness)) {
       ++found;
       continue;
     }
     const bool is_spare = polygon.size() - v > exact.size() - found;
-    if (is_spare && is_repeated(row, exact)) continue;
+    if (is_spare && is_repeated(row, exact, likeness)) continue;
     return found < exact.size()
-               ? complaint(v, row, exact[found])
+               ? complaint(v, row, exact[found], likeness)
                : fmt::format("not correctly rounded: vertex {} is not of the exact polygon", v);
   }
   return {};
+}
+
+}  // namespace
+
+std::string misrounded(const reference::Truth& truth,
+                       std::span<const reference::InputVertex> vertices, int attribute_count,
+                       const PolygonView& polygon) {
+  return complaint_about(rounded(reference::clip(truth, vertices, attribute_count)), polygon,
+                         Likeness::by_bits);
+}
+
+std::string misrounded_in_any_order(const reference::ExactPolygon& exact,
+                                    const PolygonView& polygon) {
+  std::vector<Row> rows = rounded(exact);
+  const std::string first = complaint_about(rows, polygon, Likeness::by_value);
+  for (std::size_t i = 1; i < rows.size() && !first.empty(); ++i) {
+    std::ranges::rotate(rows, rows.begin() + 1);
+    if (complaint_about(rows, polygon, Likeness::by_value).empty()) return {};
+  }
+  return first;
 }
 
 }  // namespace clipscope::experiments

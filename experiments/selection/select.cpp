@@ -50,16 +50,27 @@ void check_scalar(std::string_view scalar) {
   }
 }
 
+bool is_guest(std::string_view clipper) {
+  return std::ranges::any_of(
+      all_contestants(), [&](const Contestant& c) { return c.is_guest && c.clipper == clipper; });
+}
+
+// Those that are not there yet, in the scalars selected.
+void add_guests(const Selection& selection, int vertices, Contestants& all) {
+  for (const std::string_view guest : selection.guests) {
+    for (const std::string& scalar : selection.scalars) {
+      const Contestant* found = find_in_contract(guest, scalar, Contract::full, vertices);
+      if (found != nullptr && std::ranges::find(all, found) == all.end()) all.push_back(found);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string_view> clipper_names(int vertices) {
   std::vector<std::string_view> names;
   for (const Contestant& c : all_contestants()) {
-    // Ours are there in float all; a guest may be there in double alone.
-    if ((c.format != &kFormat<float> && !c.is_guest) || c.contract != Contract::full ||
-        c.vertices != vertices) {
-      continue;
-    }
+    if (c.contract != Contract::full || c.vertices != vertices) continue;
     if (std::ranges::find(names, c.clipper) == names.end()) names.push_back(c.clipper);
   }
   return names;
@@ -108,8 +119,11 @@ const Contestant& find_contestant(std::string_view clipper, std::string_view sca
   }
   const Contestant* found = find_in_contract(matching.front(), scalar, Contract::full, vertices);
   if (found == nullptr) {
-    throw UsageError(fmt::format("--scalar: {} needs an operation that {} does not have",
-                                 matching.front(), scalar));
+    const std::string_view name = matching.front();
+    throw UsageError(is_guest(name)
+                         ? fmt::format("--scalar: {} does not compute in {}", name, scalar)
+                         : fmt::format("--scalar: {} needs an operation that {} does not have",
+                                       clipper, scalar));
   }
   return *found;
 }
@@ -154,8 +168,10 @@ Scene load_selected_scene(const Selection& selection, const std::string& name) {
   return scene;
 }
 
-Contestants selected_contestants(const Selection& selection) {
-  return select_contestants(selection.clipper, selection.scalars);
+Contestants selected_contestants(const Selection& selection, int vertices) {
+  Contestants all = select_contestants(selection.clipper, selection.scalars, vertices);
+  add_guests(selection, vertices, all);
+  return all;
 }
 
 Contestants named_contestants(const Selection& selection, std::span<const std::string_view> names) {
@@ -164,6 +180,7 @@ Contestants named_contestants(const Selection& selection, std::span<const std::s
   for (const std::string_view name : names) {
     for (const Contestant* c : select_contestants(name, selection.scalars)) all.push_back(c);
   }
+  add_guests(selection, 3, all);
   return all;
 }
 

@@ -52,6 +52,7 @@ struct Selection {
   std::vector<std::string> scenes;  // empty: all built-in ones
   CameraOptions camera;
   std::string clipper = "*";
+  std::vector<std::string_view> guests;  // clippers that the user brought, in the order given
   std::vector<std::string> scalars = {"float", "double"};
   std::uint64_t seed = 1;
   std::size_t sample = 0;  // triangles per view; 0: the command's default
@@ -79,10 +80,12 @@ std::vector<std::string> scene_names(const Selection& selection);
 // Errors: InputError, UsageError.
 Scene load_selected_scene(const Selection& selection, const std::string& name);
 
-Contestants selected_contestants(const Selection& selection);
+// Those of --clipper, and the guests in the scalars selected. Errors: UsageError.
+Contestants selected_contestants(const Selection& selection, int vertices = 3);
 
 // The clippers of the names in the scalars selected, or those of --clipper where it was given: for
-// an experiment that shows a few clippers unless others are asked for. Errors: UsageError.
+// an experiment that shows a few clippers unless others are asked for. Guests are always among
+// them. Errors: UsageError.
 Contestants named_contestants(const Selection& selection, std::span<const std::string_view> names);
 
 }  // namespace clipscope::experiments

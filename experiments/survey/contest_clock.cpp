@@ -9,6 +9,7 @@
 #include <string>
 
 #include "experiments/judge/promise.hpp"
+#include "experiments/machine/measuring.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -75,7 +76,8 @@ Task contest_task(const Contestant& contestant, std::span<const Batch> batches,
       .work = [=](double share) { return clip_share(*runner, batches, share); },
       .check =
           [=, &contestant] { return first_broken_promise(contestant, *runner, batches, checked); },
-      .least_share = std::min(1.0, kLeastPrimitives / size)};
+      .least_share = std::min(1.0, kLeastPrimitives / size),
+      .interruptions = [=] { return involuntary_switches() + runner->interruptions(); }};
 }
 
 std::vector<Timing> time_contestants(std::span<const Batch> batches, const Contestants& contestants,

@@ -8,6 +8,7 @@
 
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/contestants/plane_columns.hpp"
+#include "experiments/judge/questions.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/selection/select.hpp"
 #include "experiments/survey/judged_once.hpp"
@@ -47,7 +48,11 @@ PromiseCheck check_answer(const Contestant& contestant, const HardCase& hard_cas
                           const CaseBatch& input, const PromiseChecker& checker,
                           const PolygonView& answer) {
   PromiseCheck check = checker.check(contestant.promise, triangle_of(hard_case), answer);
-  break_by_bits(check, broken_bits(contestant, input));
+  const std::string reason = broken_bits(contestant, input);
+  if (!reason.empty()) {
+    check.verdict = PromiseVerdict::broken;
+    check.reason = reason;
+  }
   return check;
 }
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "experiments/judge/promise.hpp"
+#include "experiments/judge/questions.hpp"
 #include "experiments/selection/select.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/contestants/handmade.hpp"

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/questions.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "experiments/judge/bit_promise.hpp"
+#include "experiments/judge/exact_questions.hpp"
+#include "experiments/judge/promise.hpp"
+
+namespace clipscope::experiments {
+namespace {
+
+constexpr Questions kDistances = {Question::contained, Question::covers};
+constexpr Questions kOfExactPolygon = {Question::winding, Question::faithful,
+                                       Question::correctly_rounded};
+
+// What distances are held to.
+Promise distance_promise(const Contestant& contestant, const Questions& asked) {
+  Promise promise = contestant.promise;
+  promise.contained = asked.contains(Question::contained);
+  promise.covers = asked.contains(Question::covers);
+  promise.correctly_rounded = false;  // a question of its own
+  if (contestant.is_guest) promise.attributes = true;
+  if (std::isinf(promise.ulps)) promise.ulps = kChainUlps;
+  return promise;
+}
+
+// What was asked about a batch, and one triangle after the other what came of it.
+class BatchExamination {
+ public:
+  BatchExamination(const Contestant& contestant, const Batch& batch, const Questions& asked,
+                   const Answers& given)
+      : batch_(batch),
+        asked_(asked),
+        given_(given),
+        promise_(distance_promise(contestant, asked)),
+        bits_(contestant, batch, asked, given) {
+    if (asked_.has_any(kDistances) || asked_.has_any(kOfExactPolygon)) checker_.emplace(batch);
+  }
+
+  Examined examine(std::size_t triangle) const {
+    Examined examined;
+    if (const Failure* failure = given_[triangle].failure()) {
+      note(Question::total, Found::broken(failure->reason), examined);
+      return examined;
+    }
+    const std::string failure = bits_.failure(triangle);
+    if (!failure.empty()) note(Question::total, Found::broken(failure), examined);
+    examine_bits(triangle, examined);
+    examine_distances(triangle, examined);
+    examine_exactly(triangle, examined);
+    std::ranges::sort(examined.violations, {}, &Violation::question);
+    return examined;
+  }
+
+ private:
+  static void note(Question question, Found found, Examined& examined) {
+    if (!found.judged) return;
+    examined.judged.add(question);
+    if (found.reason.empty() || examined.violation(question)) return;
+    examined.violations.push_back({question, std::move(found.reason), found.excess});
+  }
+
+  void examine_bits(std::size_t triangle, Examined& examined) const {
+    for (const Question q :
+         {Question::total, Question::confined, Question::watertight, Question::rotation,
+          Question::scale, Question::constants, Question::steady}) {
+      if (asked_.contains(q)) note(q, bits_.judge(q, triangle), examined);
+    }
+  }
+
+  void examine_distances(std::size_t triangle, Examined& examined) const {
+    if (!asked_.has_any(kDistances)) return;
+    const PromiseCheck check = checker_->check(promise_, input_vertices(batch_, triangle),
+                                               batch_.attributes, given_[triangle]);
+    examined.ulps = check.ulps;
+    examined.in_domain = check.verdict != PromiseVerdict::outside_domain;
+    if (!examined.in_domain) return;
+    const bool is_no_polygon = check.verdict == PromiseVerdict::broken &&
+                               check.contained.reason.empty() && check.covers.reason.empty();
+    const auto note_breach = [&](Question q, const PromiseCheck::Breach& breach) {
+      if (is_no_polygon) {
+        note(q, Found::broken(check.reason), examined);
+      } else {
+        note(q, {.judged = true, .reason = breach.reason, .excess = breach.excess}, examined);
+      }
+    };
+    if (promise_.covers) note_breach(Question::covers, check.covers);
+    // Vertices off the triangle are bounded by either promise.
+    note_breach(promise_.contained ? Question::contained : Question::covers, check.contained);
+  }
+
+  void examine_exactly(std::size_t triangle, Examined& examined) const {
+    if (!asked_.has_any(kOfExactPolygon)) return;
+    const PolygonView polygon = given_[triangle];
+    const TruthPolygon truth =
+        truth_polygon(checker_->truth(), input_vertices(batch_, triangle), batch_.attributes);
+    const Comparison comparison = compare(polygon, truth);
+    if (asked_.contains(Question::winding)) {
+      note(Question::winding, judge_winding(comparison), examined);
+    }
+    // Who starts from a rounded matrix was not given the exact numbers.
+    if (batch_.matrix) return;
+    if (asked_.contains(Question::faithful)) {
+      note(Question::faithful, judge_faithful(polygon, truth, comparison), examined);
+    }
+    if (asked_.contains(Question::correctly_rounded)) {
+      note(Question::correctly_rounded, judge_correctly_rounded(polygon, truth), examined);
+    }
+  }
+
+  const Batch& batch_;
+  const Questions asked_;
+  const Answers& given_;
+  const Promise promise_;
+  const BitQuestions bits_;
+  std::optional<PromiseChecker> checker_;  // where distances or the exact polygon are asked for
+};
+
+}  // namespace
+
+std::vector<Question> Questions::list() const {
+  std::vector<Question> list;
+  for (std::size_t i = 0; i < kQuestions; ++i) {
+    if (contains(static_cast<Question>(i))) list.push_back(static_cast<Question>(i));
+  }
+  return list;
+}
+
+const Violation* Examined::violation(Question question) const {
+  const auto found = std::ranges::find(violations, question, &Violation::question);
+  return found == violations.end() ? nullptr : &*found;
+}
+
+Questions stated_by(const Contestant& contestant) {
+  const Promise& promise = contestant.promise;
+  const Format& format = *contestant.format;
+  const bool is_double_double = format.precision == kFormat<dd_real>.precision;
+  Questions stated;
+  const auto state = [&](bool is_stated, Question question) {
+    if (is_stated) stated.add(question);
+  };
+  state(promise.total, Question::total);
+  state(promise.confined && !is_double_double, Question::confined);
+  state(promise.contained, Question::contained);
+  state(promise.covers, Question::covers);
+  state(promise.watertight && !format.is_exact(), Question::watertight);
+  state(promise.rotation_invariant, Question::rotation);
+  state(promise.scale_invariant, Question::scale);
+  state(promise.constants, Question::constants);
+  state(promise.correctly_rounded && format.is_float(), Question::correctly_rounded);
+  return stated;
+}
+
+Questions usually_asked(const Contestant& contestant) {
+  if (!contestant.is_guest) return stated_by(contestant);
+  return {Question::total, Question::contained, Question::covers, Question::winding};
+}
+
+std::vector<Examined> examine(const Contestant& contestant, const Batch& batch,
+                              const Questions& asked, const Answers& given) {
+  const BatchExamination examination(contestant, batch, asked, given);
+  std::vector<Examined> examined(batch.size());
+  if (examined.size() == 1) {
+    examined[0] = examination.examine(0);
+  } else {
+    tbb::parallel_for(std::size_t{0}, examined.size(),
+                      [&](std::size_t i) { examined[i] = examination.examine(i); });
+  }
+  return examined;
+}
+
+std::vector<Examined> examine(const Contestant& contestant, const Batch& batch,
+                              const Questions& asked) {
+  return examine(contestant, batch, asked, clip(contestant, batch));
+}
+
+std::string broken_bits(const Contestant& contestant, const Batch& triangle) {
+  Questions bits = stated_by(contestant);
+  for (const Question q : {Question::contained, Question::covers, Question::correctly_rounded}) {
+    bits.remove(q);
+  }
+  const std::vector<Examined> examined = examine(contestant, triangle, bits);
+  return examined[0].violations.empty() ? "" : examined[0].violations[0].reason;
+}
+
+}  // namespace clipscope::experiments

@@ -15,6 +15,7 @@
 #include "experiments/commands/guest_options.hpp"
 #include "experiments/commands/options.hpp"
 #include "experiments/contestants/contestant.hpp"
+#include "experiments/machine/warning.hpp"
 #include "experiments/scenes/flatness.hpp"
 #include "experiments/scenes/triangulate.hpp"
 #include "experiments/selection/select.hpp"
@@ -237,6 +238,10 @@ int clip_text(ClipOptions options) {
     const auto block = std::span(parts).subspan(first, std::min(kBlock, parts.size() - first));
     const Answers answers = clip_parts(block, contestant, batch);
     for (std::size_t i = 0; i < block.size(); ++i) {
+      if (const Failure* failure = answers[i].failure()) {
+        warn(fmt::format("{}: no answer to primitive {}: {} {}", contestant.brought_by,
+                         block[i].label, contestant.clipper, failure->reason));
+      }
       add_rows(block[i].label, answers[i], options, text);
     }
     write_out(std::exchange(text, ""));

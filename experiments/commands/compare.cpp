@@ -75,6 +75,7 @@ std::string leave_out_frustum_clippers(const Selection& selection, Contestants& 
 // All scenes go into one tally and one timing per contestant.
 int compare_contestants(CompareOptions options) {
   load_guests(options.guests, options.selection);
+  check_takes_scenes(options.selection);
   const Selection& selection = options.selection;
   if (selection.realtime) measure_in_real_time();
   Contestants contestants = selected_contestants(selection);

@@ -2,6 +2,7 @@
 #include "experiments/commands/guest_options.hpp"
 
 #include "experiments/commands/options.hpp"
+#include "experiments/selection/replay_text.hpp"
 
 namespace clipscope::experiments::commands {
 
@@ -27,6 +28,22 @@ void load_guests(const GuestOptions& options, Selection& selection) {
   selection.guests = load_guests(options);
   selection.guest_files = options.plugins;
   check_scalars_of_guests(selection);
+}
+
+void check_takes_scenes(const Selection& selection) {
+  const DepthRange depth = selection.camera.depth;
+  const Batch batch{.space = Space::view,
+                    .frustum = {.depth = depth},
+                    .volume = {.depth = depth},
+                    .attributes = kSceneAttributes};
+  for (const std::string_view guest : selection.guests) {
+    for (const Contestant& c : all_contestants()) {
+      if (c.clipper != guest || c.vertices != 3 || c.takes(batch)) continue;
+      usage_error(
+          "{}: {} does not take what scenes are made of: triangles with {} attributes in view space or clip space, --depth {}",
+          c.brought_by, guest, kSceneAttributes, depth_option(depth));
+    }
+  }
 }
 
 std::string given_clipper(const std::string& clipper, const std::vector<std::string_view>& guests) {

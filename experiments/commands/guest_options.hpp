@@ -26,6 +26,8 @@ std::vector<std::string_view> load_guests(const GuestOptions& options);
 // The same for commands that compare clippers. Errors: UsageError, too, if a guest computes in none
 // of the scalars selected.
 void load_guests(const GuestOptions& options, Selection& selection);
+// Errors: UsageError if a guest that clips triangles does not take those of scenes.
+void check_takes_scenes(const Selection& selection);
 
 // The clipper of a command that takes one: the one given or else the first guest. Errors:
 // UsageError if there is neither.

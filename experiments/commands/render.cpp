@@ -42,6 +42,7 @@ int render(const RenderOptions& options) {
       find_contestant(given_clipper(options.selection.clipper, guests), options.scalar);
   const Scene scene = load_selected_scene(options.selection, options.scene);
   const View& view = find_view(scene, options.view);
+  check_takes(contestant, batch_of(view, std::span<const SceneTriangle>()));
   const FrameBuffer tested = draw_with(contestant, scene, view, options.size);
   const std::string title = fmt::format("{}, {}", scene.name, view.label);
   Figure figure{&tested,

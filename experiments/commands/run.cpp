@@ -84,6 +84,7 @@ std::vector<PlannedExperiment> check(const RunOptions& options) {
 
 int run_experiments(RunOptions options) {
   load_guests(options.guests, options.selection);
+  check_takes_scenes(options.selection);
   drop_repeated(options.selection.scenes);
   drop_repeated(options.names);
   if (options.selection.realtime) measure_in_real_time();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "experiments/commands/options.hpp"
+#include "experiments/selection/replay_text.hpp"
 #include "experiments/table/row.hpp"
 
 namespace clipscope::experiments::commands {
@@ -113,6 +114,30 @@ void set_volume(const VolumeOptions& options, const Format& format, Batch& batch
   batch.planes = options.planes;
 }
 
+namespace {
+
+// Pre-condition: something of the batch is not, but its space and its matrix are.
+std::string not_taken(const Contestant& contestant, const Batch& batch) {
+  const ClipVolume& volume = batch.volume;
+  const Promise& promise = contestant.promise;
+  if (volume.depth_clamp && !promise.depth_clamp) return "--depth-clamp";
+  if (volume.open_sides && !promise.open_sides) return "--half-open";
+  if ((volume.clip_distances > 0 || !batch.planes.empty()) && !promise.clip_distances) {
+    return "--clip-distances and --plane";
+  }
+  if (!contestant.depths[static_cast<std::size_t>(volume.depth)]) {
+    return fmt::format("--depth {}", depth_option(volume.depth));
+  }
+  const int attributes = batch.attributes + static_cast<int>(batch.planes.size());
+  if (attributes > contestant.most_attributes) {
+    return fmt::format("{} attributes, planes counted, but {} at most", attributes,
+                       contestant.most_attributes);
+  }
+  return "such a frustum";
+}
+
+}  // namespace
+
 void check_takes(const Contestant& contestant, const Batch& batch) {
   if (contestant.takes(batch)) return;
   if (batch.space == Space::clip && !contestant.takes_clip_space) {
@@ -124,12 +149,11 @@ void check_takes(const Contestant& contestant, const Batch& batch) {
         "--clipper: {} cuts against the planes of a frustum, so a --matrix is not applicable; take one that starts in clip space, such as homogeneous/sutherland_hodgman",
         contestant.clipper);
   }
-  const ClipVolume& volume = batch.volume;
-  const Promise& promise = contestant.promise;
-  usage_error("--clipper: {} does not take {}", contestant.clipper,
-              volume.depth_clamp && !promise.depth_clamp ? "--depth-clamp"
-              : volume.open_sides && !promise.open_sides ? "--half-open"
-                                                         : "--clip-distances and --plane");
+  if (contestant.is_guest) {
+    usage_error("{}: {} does not take {}", contestant.brought_by, contestant.clipper,
+                not_taken(contestant, batch));
+  }
+  usage_error("--clipper: {} does not take {}", contestant.clipper, not_taken(contestant, batch));
 }
 
 }  // namespace clipscope::experiments::commands

@@ -101,8 +101,8 @@ std::vector<Contestant> both_ways(Plugin& plugin, const Contestant& clipper) {
   both[0].prepare = [&format = *clipper.format](std::span<const Batch> batches) {
     return make_direct_runner(format, batches.front());
   };
-  both[1].prepare = [&format = *clipper.format, &plugin](std::span<const Batch> batches) {
-    return make_plugin_runner(plugin, format, batches);
+  both[1].prepare = [&plugin, &clipper](std::span<const Batch> batches) {
+    return make_plugin_runner(plugin, clipper, batches);
   };
   return both;
 }

@@ -120,8 +120,9 @@ void add_contestants(Plugin& plugin, Contestant contestant) {
       if (!plugin.can(primitive_bit(vertices))) continue;
       contestant.format = format;
       contestant.vertices = vertices;
-      contestant.prepare = [&plugin, format](std::span<const Batch> batches) {
-        return make_plugin_runner(plugin, *format, batches);
+      contestant.prepare = nullptr;
+      contestant.prepare = [&plugin, self = contestant](std::span<const Batch> batches) {
+        return make_plugin_runner(plugin, self, batches);
       };
       add_guest(contestant);
     }

@@ -23,6 +23,7 @@ constexpr int kMostEndless = 16, kMostFound = 512;
 // A batch as the plug-in is asked about it. Its input is an area of its own.
 struct Part {
   const Batch* batch = nullptr;
+  bool is_taken = true;
   plugin::Request request = {};
   std::size_t numbers = 0;  // of its input
 };
@@ -30,9 +31,12 @@ struct Part {
 template <class T>
 class TypedPluginRunner final : public PluginRunner {
  public:
-  TypedPluginRunner(Plugin& plugin, std::span<const Batch> batches)
+  TypedPluginRunner(Plugin& plugin, const Contestant& contestant, std::span<const Batch> batches)
       : plugin_(plugin), channel_(plugin.take()), kept_(kFormat<T>, 4) {
-    for (const Batch& batch : batches) add_part(batch);
+    for (const Batch& batch : batches) {
+      add_part(batch);
+      parts_.back().is_taken = contestant.takes(batch);
+    }
   }
   ~TypedPluginRunner() override { plugin_.give_back(std::move(channel_)); }
 
@@ -40,6 +44,7 @@ class TypedPluginRunner final : public PluginRunner {
     part_ = &parts_[batch];
     kept_ = Answers(kFormat<T>, stride());
     in_place_ = 0;
+    if (!part_->is_taken) return refuse(count);
     for (const std::size_t end = first + count; first < end;) {
       const std::size_t size = std::min(end - first, kMostAtOnce);
       keep_answer();
@@ -161,6 +166,12 @@ class TypedPluginRunner final : public PluginRunner {
     }
   }
 
+  void refuse(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      kept_.fail({Failure::Kind::malformed, "is not asked, since it does not take such input"});
+    }
+  }
+
   void keep_answer() {
     read_answer(0, in_place_, kept_);
     in_place_ = 0;
@@ -242,10 +253,12 @@ class TypedPluginRunner final : public PluginRunner {
 
 }  // namespace
 
-std::unique_ptr<PluginRunner> make_plugin_runner(Plugin& plugin, const Format& format,
+std::unique_ptr<PluginRunner> make_plugin_runner(Plugin& plugin, const Contestant& contestant,
                                                  std::span<const Batch> batches) {
-  if (format.is_float()) return std::make_unique<TypedPluginRunner<float>>(plugin, batches);
-  return std::make_unique<TypedPluginRunner<double>>(plugin, batches);
+  if (contestant.format->is_float()) {
+    return std::make_unique<TypedPluginRunner<float>>(plugin, contestant, batches);
+  }
+  return std::make_unique<TypedPluginRunner<double>>(plugin, contestant, batches);
 }
 
 }  // namespace clipscope::experiments

@@ -32,8 +32,9 @@ class PluginRunner : public Runner {
   virtual Answers clip_twice(std::size_t batch, std::size_t first, std::size_t count) = 0;
 };
 
-// In float or double. The plug-in and the batches outlive it.
-std::unique_ptr<PluginRunner> make_plugin_runner(Plugin& plugin, const Format& format,
+// In the contestant's format. What the contestant does not take the plug-in is not asked, and gives
+// no answer to. The plug-in and the batches outlive it.
+std::unique_ptr<PluginRunner> make_plugin_runner(Plugin& plugin, const Contestant& contestant,
                                                  std::span<const Batch> batches);
 
 }  // namespace clipscope::experiments

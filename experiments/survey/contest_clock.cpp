@@ -72,12 +72,14 @@ Task contest_task(const Contestant& contestant, std::span<const Batch> batches,
                   std::size_t checked) {
   const std::shared_ptr<Runner> runner = contestant.prepare(batches);
   const double size = static_cast<double>(size_of(batches));
-  return {
-      .work = [=](double share) { return clip_share(*runner, batches, share); },
-      .check =
-          [=, &contestant] { return first_broken_promise(contestant, *runner, batches, checked); },
-      .least_share = std::min(1.0, kLeastPrimitives / size),
-      .interruptions = [=] { return involuntary_switches() + runner->interruptions(); }};
+  return {.work = [=](double share) { return clip_share(*runner, batches, share); },
+          .check =
+              [=, &contestant] {
+                if (!contestant.untimed.empty()) return std::string(contestant.untimed);
+                return first_broken_promise(contestant, *runner, batches, checked);
+              },
+          .least_share = std::min(1.0, kLeastPrimitives / size),
+          .interruptions = [=] { return involuntary_switches() + runner->interruptions(); }};
 }
 
 std::vector<Timing> time_contestants(std::span<const Batch> batches, const Contestants& contestants,

@@ -226,8 +226,9 @@ RationalVertex output(Bug bug, const Vertex& v) {
 
 std::span<const BugInfo> all_bugs() { return kBugs; }
 
-std::vector<RationalVertex> textbook(Bug bug, const Truth& truth,
-                                     std::span<const InputVertex> vertices, int attribute_count) {
+std::vector<RationalVertex> textbook_polygon(Bug bug, const Truth& truth,
+                                             std::span<const InputVertex> vertices,
+                                             int attribute_count) {
   assert(is_finite(vertices, attribute_count));
   std::vector<Vertex> polygon;
   for (const InputVertex& vertex : vertices) {
@@ -243,6 +244,12 @@ std::vector<RationalVertex> textbook(Bug bug, const Truth& truth,
     });
     if (!seen) r.push_back(std::move(vertex));
   }
+  return r;
+}
+
+std::vector<RationalVertex> textbook(Bug bug, const Truth& truth,
+                                     std::span<const InputVertex> vertices, int attribute_count) {
+  std::vector<RationalVertex> r = textbook_polygon(bug, truth, vertices, attribute_count);
   std::sort(r.begin(), r.end());
   return r;
 }

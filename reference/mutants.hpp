@@ -56,8 +56,12 @@ struct BugInfo {
 // All bugs, without `none`.
 std::span<const BugInfo> all_bugs();
 
-// The clipper's vertices, sorted, as vertex_set gives the reference's. Pre-conditions: those of
-// `clip`.
+// The clipper's polygon, its vertices in order, each place once. Pre-conditions: those of `clip`.
+std::vector<RationalVertex> textbook_polygon(Bug bug, const Truth& truth,
+                                             std::span<const InputVertex> vertices,
+                                             int attribute_count);
+
+// Its vertices sorted, as vertex_set gives the reference's.
 std::vector<RationalVertex> textbook(Bug bug, const Truth& truth,
                                      std::span<const InputVertex> vertices, int attribute_count);
 std::vector<RationalVertex> textbook(Bug bug, const Truth& truth, const InputTriangle& triangle);

@@ -28,7 +28,6 @@ using reference::Verdict;
 using Words = std::vector<std::string_view>;
 
 constexpr std::size_t kMostPolygonVertices = 32;
-constexpr std::array<std::string_view, 3> kDepthNames = {"gl", "zero_to_one", "reversed"};
 
 // A decimal or hex float. Decimals are rounded to double.
 std::optional<double> parse_number(std::string_view word) {
@@ -302,7 +301,7 @@ class CaseReader {
       require_of_case(seen_.contains(key), "found no line '{}'; expected one", key);
     }
     check_vertices();
-    fill_attributes();
+    finish_attributes();
     check_expected();
     cases_.push_back(std::move(case_));
     is_open_ = false;
@@ -321,18 +320,11 @@ class CaseReader {
                     *given_attributes_, distances);
   }
 
-  void fill_attributes() {
-    const bool polygon = case_.primitive == Primitive::polygon;
-    const auto given = static_cast<int>(*given_attributes_);
-    case_.attribute_count = std::max(given, kSceneAttributes);
-    for (std::size_t i = 0; i < case_.vertices.size(); ++i) {
-      InputVertex& v = case_.vertices[i];
-      std::array<double, 4> filling = polygon ? v.position : std::array<double, 4>{0, 0, 0, 1};
-      if (!polygon) filling[i] = 1;
-      for (int k = given; k < kSceneAttributes; ++k) v.attributes[k] = filling[k - given];
-    }
+  void finish_attributes() {
+    fill_attributes(case_, static_cast<int>(*given_attributes_));
     require_of_case(
-        !polygon || reference::is_planar_convex(case_.vertices, case_.attribute_count),
+        case_.primitive != Primitive::polygon ||
+            reference::is_planar_convex(case_.vertices, case_.attribute_count),
         "the vertices are no planar convex polygon with affine attributes; expected one, or triangles");
   }
 

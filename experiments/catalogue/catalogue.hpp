@@ -34,6 +34,17 @@ std::vector<HardCase> read_cases(const std::string& file, std::string_view text)
 // names those whose names are most like it.
 const HardCase& find_case(std::span<const HardCase> cases, std::string_view name);
 
+// The case in the format of a file, with its exact outcome as `expect`; the name without its theme.
+// Attributes that the reader would fill in are left out. Pre-conditions: no matrix and no planes;
+// finite, and all numbers are floats.
+std::string case_text(const HardCase& hard_case);
+
+// Adds the case to the end of a file of cases, which is made if there is none; what it holds stays.
+// Where it has a case of that name, _2 or the next free number is added to the name. Returns the
+// case as the file has it, with its name there. Errors: InputError if the file holds something else
+// than cases; OutputError.
+HardCase append_case(const std::filesystem::path& file, HardCase hard_case);
+
 // Families: what is made from one hard case by small or exact changes.
 //
 // The exact result of an exact change (a scaling by 2^k, a rotation of the vertices, a mirrored

@@ -6,9 +6,24 @@
 #include <algorithm>
 #include <cassert>
 
+#include "experiments/scenes/scene.hpp"
+
 namespace clipscope::experiments {
 
 using reference::Verdict;
+
+void fill_attributes(HardCase& hard_case, int given) {
+  const bool polygon = hard_case.primitive == Primitive::polygon;
+  hard_case.attribute_count = std::max(given, kSceneAttributes);
+  for (std::size_t i = 0; i < hard_case.vertices.size(); ++i) {
+    reference::InputVertex& v = hard_case.vertices[i];
+    std::array<double, 4> filling = polygon ? v.position : std::array<double, 4>{0, 0, 0, 1};
+    if (!polygon) filling[i] = 1;
+    for (int k = given; k < kSceneAttributes; ++k) {
+      v.attributes[static_cast<std::size_t>(k)] = filling[static_cast<std::size_t>(k - given)];
+    }
+  }
+}
 
 reference::Truth truth_of(const HardCase& hard_case) { return reference::truth_of(hard_case); }
 

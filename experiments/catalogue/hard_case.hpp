@@ -28,6 +28,9 @@ constexpr std::size_t vertices_of(Primitive primitive) {
   return primitive == Primitive::polygon ? 0 : static_cast<std::size_t>(primitive) + 1;
 }
 
+// A depth range as files of cases name it, by DepthRange.
+inline constexpr std::array<std::string_view, 3> kDepthNames = {"gl", "zero_to_one", "reversed"};
+
 // The side of that name: left, right, bottom or top; else none.
 inline bool* find_side(OpenSides& sides, std::string_view name) {
   if (name == "left") return &sides.left;
@@ -78,6 +81,9 @@ struct HardCase {
 
 // Whether the case starts in view space in front of a frustum.
 inline bool has_frustum(const HardCase& c) { return c.space == Space::view && !c.matrix; }
+
+// Gives the attributes from `given` on up to kSceneAttributes the values described above.
+void fill_attributes(HardCase& hard_case, int given);
 
 // What the case is clipped against, in exact numbers.
 reference::Truth truth_of(const HardCase& hard_case);

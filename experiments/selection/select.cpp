@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <string>
 
+#include "experiments/guests/seeded.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/machine/warning.hpp"
 #include "experiments/scenes/builtin.hpp"
@@ -95,6 +96,7 @@ Contestants select_contestants(std::string_view clipper_pattern,
                                const std::vector<std::string>& scalars, int vertices) {
   Contestants selected;
   std::ranges::for_each(scalars, check_scalar);
+  for (const std::string& scalar : scalars) add_if_seeded(clipper_pattern, scalar);
   for (const std::string_view clipper : matching_clippers(clipper_pattern, vertices)) {
     for (const std::string& scalar : scalars) {
       const Contestant* found = find_in_contract(clipper, scalar, Contract::full, vertices);
@@ -110,6 +112,7 @@ Contestants select_contestants(std::string_view clipper_pattern,
 
 const Contestant& find_contestant(std::string_view clipper, std::string_view scalar, int vertices) {
   check_scalar(scalar);
+  add_if_seeded(clipper, scalar);
   const std::vector<std::string_view> matching = matching_clippers(clipper, vertices);
   if (matching.size() > 1) {
     throw UsageError(fmt::format("--clipper: '{}' matches several clippers, name one of: {}",

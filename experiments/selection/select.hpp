@@ -24,11 +24,12 @@ std::vector<std::string_view> scalar_names();
 // The contestants of the full contract whose clipper matches the shell pattern (`*`, `?`; a name
 // without them also stands for the clippers of which it is the folder or the method) and whose
 // scalar is in the list, by clipper, then scalar; a clipper that there is not in a scalar is left
-// out. Throws UsageError naming the option, what was given and what there is.
+// out. A seeded bug (guests/seeded.hpp) is meant by its whole name alone. Throws UsageError naming
+// the option, what was given and what there is.
 Contestants select_contestants(std::string_view clipper_pattern,
                                const std::vector<std::string>& scalars, int vertices = 3);
 
-// The one contestant of that name. Throws UsageError if none or several match.
+// The one contestant of that name, maybe a seeded bug. Throws UsageError if none or several match.
 const Contestant& find_contestant(std::string_view clipper, std::string_view scalar,
                                   int vertices = 3);
 

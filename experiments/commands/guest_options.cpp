@@ -18,11 +18,6 @@ void add_program_options(CLI::App& command, GuestOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false);
   add_option(command, "--name", options.name, "NAME", "Name of the program [that of its file]");
-  if (command.get_option_no_throw("--space") != nullptr) return;
-  command
-      .add_option("--space", options.space,
-                  "Space that the program starts in: view (x y z) or clip (x y z w) [clip]")
-      ->check(CLI::IsMember({"view", "clip"}));
 }
 
 ProgramOptions program_of(const std::string& command, const GuestOptions& options) {
@@ -43,6 +38,13 @@ void add_guest_options(CLI::App& command, GuestOptions& options) {
              fmt::format("What a plug-in or program may take for a batch [{:g}]", options.seconds))
       ->check(CLI::Range(0.01, 86400.0));
   add_program_options(command, options);
+}
+
+void add_guest_space_option(CLI::App& command, GuestOptions& options) {
+  command
+      .add_option("--space", options.space,
+                  "Space that the program starts in: view (x y z) or clip (x y z w) [clip]")
+      ->check(CLI::IsMember({"view", "clip"}));
 }
 
 std::vector<std::string_view> load_guests(const GuestOptions& options) {

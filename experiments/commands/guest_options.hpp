@@ -22,8 +22,10 @@ struct GuestOptions {
 };
 
 // --plugin LIB and --program COMMAND, as often as wanted, and what these need: --time-limit,
-// --takes, --name, and --space where the command has none of its own.
+// --takes and --name.
 void add_guest_options(CLI::App& command, GuestOptions& options);
+// --space of programs, where it does not say what space the command's input is in.
+void add_guest_space_option(CLI::App& command, GuestOptions& options);
 
 // Their names, plug-ins first, in the order given. Errors: GuestError, UsageError.
 std::vector<std::string_view> load_guests(const GuestOptions& options);

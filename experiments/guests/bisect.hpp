@@ -21,9 +21,10 @@ struct Range {
 // Asks about all of the range at once. Null: its answers were added, in order; else nothing was.
 using AskRange = std::function<std::optional<Failure>(const Range&)>;
 
-// How often halves are asked at most: enough for five primitives far apart among 4,096. The count
-// does not depend on time, so that the same input gives the same outcomes.
-inline constexpr int kMostHalvesAsked = 128;
+// How often halves are asked at most: enough for five primitives far apart among 4,096. Where a
+// question is not answered in time each half counts as four, which is enough for one. The count
+// does not depend on time itself, so that the same input gives the same outcomes.
+inline constexpr int kMostHalvesAsked = 128, kEndlessCount = 4;
 
 // Asks about the range; each primitive gets its answer, or its failure in `answers`, in order. What
 // is not narrowed down any more fails as a whole, and says so.
@@ -35,8 +36,9 @@ class Bisection {
     std::optional<Failure> failure = ask_(range);
     if (!failure) return;
     if (range.count == 1) return answers_.fail(std::move(*failure));
-    if (halves_left_ < 2) return fail_all(range, *failure);
-    halves_left_ -= 2;
+    const int price = 2 * (failure->kind == Failure::Kind::timed_out ? kEndlessCount : 1);
+    if (halves_left_ < price) return fail_all(range, *failure);
+    halves_left_ -= price;
     const std::size_t half = range.count / 2;
     (*this)({range.first, half});
     (*this)({range.first + half, range.count - half});

@@ -13,6 +13,7 @@ namespace {
 // other one: its number.
 struct Fragile {
   std::set<std::size_t> bad;
+  Failure::Kind kind = Failure::Kind::crashed;
   Answers answers{kFormat<float>, 1};
   std::vector<Range> asked = {};
 
@@ -20,7 +21,7 @@ struct Fragile {
     asked.push_back(range);
     const auto found = bad.lower_bound(range.first);
     if (found != bad.end() && *found < range.first + range.count) {
-      return Failure{Failure::Kind::crashed, "it broke"};
+      return Failure{kind, "it broke"};
     }
     for (std::size_t i = range.first; i < range.first + range.count; ++i) {
       answers.add(static_cast<double>(i));
@@ -64,6 +65,17 @@ TEST_CASE("bisect: who fails on everything is not asked for ever, and the rest f
   CHECK(guest.answers[0].failure()->reason == "it broke");
   CHECK_THAT(guest.answers[4095].failure()->reason,
              Catch::Contains("asked about 2048 primitives at once"));
+}
+
+TEST_CASE("bisect: one that does not end is found, and not many are waited for") {
+  Fragile one{{1234}, Failure::Kind::timed_out};
+  one.clip(4096);
+  CHECK(one.answers[1234].failure()->reason == "it broke");
+  CHECK(one.answers[1235].failure() == nullptr);
+  Fragile all{{}, Failure::Kind::timed_out};
+  for (std::size_t i = 0; i < 4096; ++i) all.bad.insert(i);
+  all.clip(4096);
+  CHECK(all.asked.size() == 1 + kMostHalvesAsked / kEndlessCount);
 }
 
 }  // namespace

@@ -70,31 +70,43 @@ TEST_CASE("program: several threads ask at once") {
   CHECK(sizes == std::vector<std::size_t>(8, 3));
 }
 
-TEST_CASE("program: what it fails on is found, and why; the others keep their answers") {
-  const std::vector<double> numbers = triangles_inside(40);
-  const auto failure = [&](const std::string& name, const std::string& actions) {
-    const Contestant& contestant = added(
-        {.command = divider("$1 == 0.015625 {" + actions + "}"), .name = name, .seconds = 0.4});
-    const Answers answers = clip(contestant, clip_space(numbers));
-    for (std::size_t i = 0; i < 40; ++i) REQUIRE((answers[i].failure() != nullptr) == (i == 16));
-    return *answers[16].failure();
-  };
-  const Failure code = failure("exits", R"(print "no way" > "/dev/stderr"; exit 7)");
-  CHECK(code.kind == Failure::Kind::crashed);
-  CHECK(code.reason == "it ended with exit code 7 (standard error: no way)");
-  const Failure loop = failure("loops", "while (1) continue");
-  CHECK(loop.kind == Failure::Kind::timed_out);
-  CHECK(loop.reason == "it did not end within 0.4 s");
-  const Failure junk = failure("writes junk", R"(print "junk")");
+// How it fails on triangle 2 of 8, whose first vertex alone is at x = 2/1024.
+Failure failure_on_one(const std::string& name, const std::string& actions, double seconds = 10) {
+  const std::vector<double> numbers = triangles_inside(8);
+  const Contestant& contestant = added({.command = divider("$1 == 0.001953125 {" + actions + "}"),
+                                        .name = name,
+                                        .seconds = seconds});
+  const Answers answers = clip(contestant, clip_space(numbers));
+  for (std::size_t i = 0; i < 8; ++i) REQUIRE((answers[i].failure() != nullptr) == (i == 2));
+  return *answers[2].failure();
+}
+
+TEST_CASE(
+    "program: what it crashes on is found, with its last words, and the others are answered") {
+  const Failure f = failure_on_one("exits", R"(print "no way" > "/dev/stderr"; exit 7)");
+  CHECK(f.kind == Failure::Kind::crashed);
+  CHECK(f.reason == "it ended with exit code 7 (standard error: no way)");
+}
+
+TEST_CASE("program: what it does not end on is found") {
+  const Failure f = failure_on_one("loops", "while (1) continue", 1);
+  CHECK(f.kind == Failure::Kind::timed_out);
+  CHECK(f.reason == "it did not end within 1 s");
+}
+
+TEST_CASE("program: what it writes no answer to is found") {
+  const Failure junk = failure_on_one("writes junk", R"(print "junk")");
   CHECK(junk.kind == Failure::Kind::malformed);
   CHECK_THAT(junk.reason, Catch::Contains("'junk': expected a row of"));
-  const Failure order = failure("out of order", R"(print NR - 1 ",1,0,0,0,1"; next)");
-  CHECK(order.kind == Failure::Kind::malformed);
-  CHECK_THAT(order.reason,
-             Catch::StartsWith("line 49 of what it wrote"));  // it alone was not asked again
-  const Failure flood = failure("floods", R"(while (1) print "0,0,0,0,0,1")");
+  const Failure flood = failure_on_one("floods", R"(while (1) print "0,0,0,0,0,1")");
   CHECK(flood.kind == Failure::Kind::malformed);
   CHECK_THAT(flood.reason, Catch::StartsWith("it wrote more than"));
+}
+
+TEST_CASE("program: a wrong row is blamed on its triangle, and nothing is asked again") {
+  const Failure f = failure_on_one("out of order", R"(print NR - 1 ",1,0,0,0,1"; next)");
+  CHECK(f.kind == Failure::Kind::malformed);
+  CHECK_THAT(f.reason, Catch::StartsWith("line 7 of what it wrote"));  // of all, not of it alone
 }
 
 TEST_CASE("program: a failure is judged as what it is") {

@@ -20,9 +20,7 @@ struct Fragile {
   std::optional<Failure> ask(const Range& range) {
     asked.push_back(range);
     const auto found = bad.lower_bound(range.first);
-    if (found != bad.end() && *found < range.first + range.count) {
-      return Failure{kind, "it broke"};
-    }
+    if (found != bad.end() && *found < range.first + range.count) return Failure{kind, "it broke"};
     for (std::size_t i = range.first; i < range.first + range.count; ++i) {
       answers.add(static_cast<double>(i));
       answers.end_polygon();

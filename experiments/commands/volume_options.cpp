@@ -128,10 +128,10 @@ std::string not_taken(const Contestant& contestant, const Batch& batch) {
   if (!contestant.depths[static_cast<std::size_t>(volume.depth)]) {
     return fmt::format("--depth {}", depth_option(volume.depth));
   }
-  const int attributes = batch.attributes + static_cast<int>(batch.planes.size());
-  if (attributes > contestant.most_attributes) {
-    return fmt::format("{} attributes, planes counted, but {} at most", attributes,
-                       contestant.most_attributes);
+  const int distances = volume.clip_distances + static_cast<int>(batch.planes.size());
+  if (distances > contestant.most_attributes) {
+    return fmt::format("{} clip distances and planes, for it takes {} attributes at most",
+                       distances, contestant.most_attributes);
   }
   return "such a frustum";
 }

@@ -41,8 +41,10 @@ class Runner {
   // In a stage, what is wrong with the form of the answer: numbers that do not ascend, say. Else
   // empty.
   virtual std::string malformed() const { return ""; }
-  // How often another process that clips in place of the calling thread has lost its processor so
-  // far. Asked before and after each run under the clock, so that such a process is awake then.
+  // Of a runner that lets another process clip: around each run under the clock, and, asked just
+  // before and after it, how often that process has lost its processor so far.
+  virtual void enter_clock() {}
+  virtual void leave_clock() {}
   virtual std::int64_t interruptions() { return 0; }
 };
 
@@ -75,8 +77,11 @@ struct Contestant {
   // A guest is a clipper that is not ours: it states no promise, and may take less than ours do.
   bool is_guest = false;
   std::string_view brought_by = {};                 // of a guest the option: "--plugin ./mine.so"
+  std::string_view untimed = {};                    // why it is not timed; empty: it is
   std::array<bool, 3> depths = {true, true, true};  // by DepthRange
-  int most_attributes = kMaxAttributes;             // clip distances and planes included
+  // Of the attributes of a batch, clip distances and planes in front, a guest is given the first so
+  // many, and answers these.
+  int most_attributes = kMaxAttributes;
   std::function<bool(const Frustum<double>&)> takes_frustum = {};  // of view space; null: any
 
   // Contracts full and cut alone. Pre-condition: the contestant takes the batches, which outlive

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "experiments/contestants/fewer_attributes.hpp"
 #include "experiments/contestants/same_bits.hpp"
 #include "experiments/guests/plugin_runner.hpp"
 
@@ -102,7 +103,9 @@ void ask_in_threads(PluginRunner& runner, std::size_t count, Findings& findings)
 
 }  // namespace
 
-std::vector<Misconduct> conduct(const Contestant& contestant, const Batch& batch) {
+std::vector<Misconduct> conduct(const Contestant& contestant, const Batch& given) {
+  const NarrowBatch narrow(given, contestant.most_attributes);
+  const Batch& batch = narrow.batch();
   const std::size_t count = batch.size();
   if (count == 0) return {};
   const std::unique_ptr<Runner> runner = contestant.prepare(std::span(&batch, 1));

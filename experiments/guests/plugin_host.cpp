@@ -204,18 +204,24 @@ void PluginHost::enter_clock() {
 void PluginHost::leave_clock() {
   stay_awake(0, 0);
   let_run_on(processors_);
-  lost_processor();  // it sleeps now
+  wake(SCHED_OTHER, 0);  // and sleeps again
   stay_awake(kAwakeUs, kAwakeUs);
   if (measured_) keep_to(*measured_);
   measured_.reset();
 }
 
+// Makes the host take its class and its processors.
+bool PluginHost::wake(int scheduling_class, int priority) {
+  control().scheduling_class = scheduling_class;
+  control().scheduling_priority = priority;
+  return !ask(plugin::Order::wake, kLoadingSeconds);
+}
+
+// In the class of the calling thread, which waits for it.
 std::int64_t PluginHost::lost_processor() {
   sched_param parameters{};
   sched_getparam(0, &parameters);
-  control().scheduling_class = sched_getscheduler(0);
-  control().scheduling_priority = parameters.sched_priority;
-  return ask(plugin::Order::wake, kLoadingSeconds) ? 0 : control().lost_processor;
+  return wake(sched_getscheduler(0), parameters.sched_priority) ? control().lost_processor : 0;
 }
 
 bool PluginHost::has_ended() {

@@ -77,6 +77,7 @@ class PluginHost {
   void start(const std::string& library);
   void let_run_on(const std::vector<int>& processors);
   void stay_awake(double program_us, double host_us);
+  bool wake(int scheduling_class, int priority);
   bool is_answered(double seconds);
   bool has_ended();
   void end();

@@ -66,16 +66,25 @@ void on_signal(int number, siginfo_t* info, void* context) {
 
 }  // namespace
 
-void use_fault_stack(std::size_t thread) {
+FaultStack::FaultStack(std::size_t thread) {
   static unsigned char stacks[kThreads][kStackBytes];
   const stack_t stack{.ss_sp = stacks[thread], .ss_flags = 0, .ss_size = kStackBytes};
-  sigaltstack(&stack, nullptr);
+  stack_t before{};
+  sigaltstack(&stack, &before);
+  before_ = before.ss_sp;
+  before_bytes_ = before.ss_size;
+  before_flags_ = before.ss_flags;
+}
+
+FaultStack::~FaultStack() {
+  const stack_t before{.ss_sp = before_, .ss_flags = before_flags_, .ss_size = before_bytes_};
+  sigaltstack(&before, nullptr);
 }
 
 void report_faults(Control& control, const Memory& memory) {
   told = &control;
   watched = &memory;
-  use_fault_stack(0);
+  static const FaultStack stack(0);
   struct sigaction action {};
   action.sa_sigaction = on_signal;
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;

@@ -10,7 +10,20 @@ namespace clipscope::plugin {
 
 // From now on. Both live as long as the process.
 void report_faults(Control& control, const Memory& memory);
-// Gives the calling thread a stack for it, so that the end of its own is reported, too.
-void use_fault_stack(std::size_t thread);
+
+// While it lives the calling thread has a stack for that, so that the end of its own is reported,
+// too. Sanitizers want the one back that was there before.
+class FaultStack {
+ public:
+  explicit FaultStack(std::size_t thread);  // 0 or 1
+  ~FaultStack();
+  FaultStack(const FaultStack&) = delete;
+  FaultStack& operator=(const FaultStack&) = delete;
+
+ private:
+  void* before_ = nullptr;
+  std::size_t before_bytes_ = 0;
+  int before_flags_ = 0;
+};
 
 }  // namespace clipscope::plugin

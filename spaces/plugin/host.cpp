@@ -167,7 +167,7 @@ class Host {
       results[thread] = call(*plugin_, control_.request, memory_, memory_.outputs[thread]);
     };
     std::thread second([&] {
-      use_fault_stack(1);
+      const FaultStack stack(1);
       clip_at_once(1);
     });
     clip_at_once(0);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "experiments/attributes/rows.hpp"
+#include "experiments/contestants/fewer_attributes.hpp"
 #include "experiments/machine/progress.hpp"
 #include "experiments/report/experiment.hpp"
 #include "experiments/selection/replay_text.hpp"
@@ -43,7 +44,8 @@ void measure_planes(const Selection& selection, int planes, TableOf<ErrorRow>& e
   const auto triangles = crossing_triangles(planes, selection.sample_or(100, 1000), selection.seed);
   const auto wanted = wanted_values(triangles, kPoints, selection.seed);
   const Batch batch = batch_of(attribute_frustum(), std::span(triangles));
-  for (const Contestant* contestant : named_contestants(selection, kClippers)) {
+  for (const Contestant* contestant :
+       with_attributes(named_contestants(selection, kClippers), kSceneAttributes)) {
     const Tally tally = measure_errors(*contestant, triangles, wanted);
     add_rows(*contestant, planes, tally, errors, flat);
     if (tally.worst == 0) continue;

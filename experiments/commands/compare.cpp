@@ -133,6 +133,7 @@ void add_compare_command(CLI::App& app, Action& action) {
   add_scene_options(command, options.selection);
   add_contestant_options(command, options.selection);
   add_guest_options(command, options.guests);
+  add_guest_space_option(command, options.guests);
   add_realtime_option(command, options.selection);
   add_out_option(command, options.out);
   add_json_option(command, options.selection);

@@ -2,8 +2,32 @@
 #include "experiments/commands/guest_options.hpp"
 
 #include "experiments/commands/options.hpp"
+#include "experiments/guests/program.hpp"
 
 namespace clipscope::experiments::commands {
+namespace {
+
+void add_program_options(CLI::App& command, GuestOptions& options) {
+  add_option(
+      command, "--program", options.programs, "COMMAND",
+      "A clipper of yours: a command line that reads primitives as `clipscope clip` does, until its input ends, and writes its CSV; judged, not timed; may be given several times")
+      ->allow_extra_args(false);
+  add_option(
+      command, "--takes", options.takes, "LIST",
+      fmt::format("What the program can be asked: some of {} [clip,gl,triangles]", takes_words()))
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  add_option(command, "--name", options.name, "NAME", "Name of the program [that of its file]");
+}
+
+ProgramOptions program_of(const std::string& command, const GuestOptions& options) {
+  ProgramOptions program{.command = command, .name = options.name, .seconds = options.seconds};
+  set_takes(options.takes, program);
+  if (!options.space.empty()) set_takes({options.space}, program);
+  return program;
+}
+
+}  // namespace
 
 void add_guest_options(CLI::App& command, GuestOptions& options) {
   add_option(
@@ -11,8 +35,16 @@ void add_guest_options(CLI::App& command, GuestOptions& options) {
       "A clipper of yours: a shared library with the interface of clipscope_plugin.h; may be given several times")
       ->allow_extra_args(false);
   add_option(command, "--time-limit", options.seconds, "SECONDS",
-             fmt::format("What a plug-in may take for a batch [{:g}]", options.seconds))
+             fmt::format("What a plug-in or program may take for a batch [{:g}]", options.seconds))
       ->check(CLI::Range(0.01, 86400.0));
+  add_program_options(command, options);
+}
+
+void add_guest_space_option(CLI::App& command, GuestOptions& options) {
+  command
+      .add_option("--space", options.space,
+                  "Space that the program starts in: view (x y z) or clip (x y z w) [clip]")
+      ->check(CLI::IsMember({"view", "clip"}));
 }
 
 std::vector<std::string_view> load_guests(const GuestOptions& options) {
@@ -20,18 +52,29 @@ std::vector<std::string_view> load_guests(const GuestOptions& options) {
   for (const std::string& library : options.plugins) {
     names.push_back(add_plugin(library, options.seconds));
   }
+  if (!options.name.empty() && options.programs.size() != 1) {
+    usage_error("--name: '{}' given for {} programs; expected one --program", options.name,
+                options.programs.size());
+  }
+  for (const std::string& command : options.programs) {
+    names.push_back(add_program(program_of(command, options)));
+  }
   return names;
 }
 
 void load_guests(const GuestOptions& options, Selection& selection) {
   selection.guests = load_guests(options);
   selection.guest_files = options.plugins;
+  for (const std::string& command : options.programs) {
+    const std::string file = program_file(command);
+    if (!file.empty()) selection.guest_files.push_back(file);
+  }
   check_scalars_of_guests(selection);
 }
 
 std::string given_clipper(const std::string& clipper, const std::vector<std::string_view>& guests) {
   if (!clipper.empty()) return clipper;
-  if (guests.empty()) usage_error("--clipper: a clipper's name is missing, or --plugin with yours");
+  if (guests.empty()) usage_error("--clipper: a name is missing, or --plugin or --program");
   return std::string(guests.front());
 }
 

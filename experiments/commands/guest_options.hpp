@@ -14,14 +14,20 @@
 namespace clipscope::experiments::commands {
 
 struct GuestOptions {
-  std::vector<std::string> plugins;
+  std::vector<std::string> plugins, programs;
+  std::vector<std::string> takes;   // what the programs take
+  std::string space;                // of these; empty: clip, or as `takes` says
+  std::string name;                 // of the only program
   double seconds = kPluginSeconds;  // that a batch may take
 };
 
-// --plugin LIB, as often as wanted, and --time-limit.
+// --plugin LIB and --program COMMAND, as often as wanted, and what these need: --time-limit,
+// --takes and --name.
 void add_guest_options(CLI::App& command, GuestOptions& options);
+// --space of programs, where it does not say what space the command's input is in.
+void add_guest_space_option(CLI::App& command, GuestOptions& options);
 
-// Their names, in the order given. Errors: GuestError.
+// Their names, plug-ins first, in the order given. Errors: GuestError, UsageError.
 std::vector<std::string_view> load_guests(const GuestOptions& options);
 // The same for commands that compare clippers. Errors: UsageError, too, if a guest computes in none
 // of the scalars selected.

@@ -73,6 +73,7 @@ channels.)");
   command.add_option("--view", options.view, "Label of the scene's view [the first]");
   add_contestant_options(command, options.selection.clipper, options.scalar);
   add_guest_options(command, options.guests);
+  add_guest_space_option(command, options.guests);
   command.add_option("--against", options.against, "Also show the error against this")
       ->check(CLI::IsMember({"exact"}));
   command.add_option("--cells", options.cells, "Checkerboard cells per unit of u and v [8]");

@@ -127,6 +127,7 @@ with --resume. See `clipscope table` and `clipscope diff`.)");
   add_scene_options(command, options.selection);
   add_contestant_options(command, options.selection);
   add_guest_options(command, options.guests);
+  add_guest_space_option(command, options.guests);
   add_realtime_option(command, options.selection);
   command.add_flag("--pictures", options.selection.pictures,
                    "hard_cases: also a picture (SVG) of every case that a clipper fails on");

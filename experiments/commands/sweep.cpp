@@ -48,6 +48,7 @@ Lattices: small (0.6 million classes of triangles), medium (2.7), full (53; abou
   command.add_flag("--quick", options.selection.quick, "Every 16th part of the lattice");
   add_contestant_options(command, options.selection);
   add_guest_options(command, options.guests);
+  add_guest_space_option(command, options.guests);
   add_out_option(command, options.out);
   add_json_option(command, options.selection);
 }

@@ -282,6 +282,7 @@ worst offender is printed as hex floats; 5: it speaks of none of the triangles, 
 judged. `clipscope list clippers` shows the promises.)");
   add_contestant_options(command, options.selection.clipper, options.scalar);
   add_guest_options(command, options.guests);
+  add_guest_space_option(command, options.guests);
   command.add_flag(
       "--catalogue", options.catalogue,
       "The hard cases and their families, in view space and clip space, instead of scenes (or besides those named)");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "experiments/contestants/fewer_attributes.hpp"
 #include "experiments/contestants/made.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/table/row.hpp"
@@ -54,11 +55,10 @@ bool Contestant::takes(const Batch& batch) const {
   ClipVolume volume = batch.volume;
   volume.clip_distances += static_cast<int>(batch.planes.size());
   const bool from_view = batch.space == Space::view && !batch.matrix;
-  const int attributes = batch.attributes + static_cast<int>(batch.planes.size());
   if (from_view && takes_frustum && !takes_frustum(batch.frustum)) return false;
   return vertices == batch.vertices && (from_view || takes_clip_space) &&
-         depths[static_cast<std::size_t>(volume.depth)] && attributes <= most_attributes &&
-         is_applicable(promise, volume);
+         depths[static_cast<std::size_t>(volume.depth)] &&
+         volume.clip_distances <= most_attributes && is_applicable(promise, volume);
 }
 
 std::span<const Contestant> all_contestants() { return all_with_room(); }
@@ -75,6 +75,9 @@ void add_guest(const Contestant& guest) {
   }
   if (all.size() == all.capacity()) throw GuestError("there is no room for so many guests");
   all.push_back(guest);
+  if (guest.most_attributes < kMaxAttributes) {
+    all.back().prepare = with_fewer_attributes(guest.prepare, guest.most_attributes);
+  }
 }
 
 Answers clip(const Contestant& contestant, const Batch& batch) {

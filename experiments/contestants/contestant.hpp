@@ -44,6 +44,11 @@ class Runner {
   // How often another process that clips in place of the calling thread has lost its processor so
   // far. Asked before and after each run under the clock, so that such a process is awake then.
   virtual std::int64_t interruptions() { return 0; }
+  // Around each run under the clock.
+  virtual void enter_clock() {}
+  virtual void leave_clock() {}
+  // Who does the work, where this one hands it on.
+  virtual Runner& worker() { return *this; }
 };
 
 // What a contestant promises of its polygons in a stage, in clip space.
@@ -75,8 +80,11 @@ struct Contestant {
   // A guest is a clipper that is not ours: it states no promise, and may take less than ours do.
   bool is_guest = false;
   std::string_view brought_by = {};                 // of a guest the option: "--plugin ./mine.so"
+  std::string_view untimed = {};                    // why it is not timed; empty: it is
   std::array<bool, 3> depths = {true, true, true};  // by DepthRange
-  int most_attributes = kMaxAttributes;             // clip distances and planes included
+  // Of the attributes of a batch, clip distances and planes in front, a guest is given the first so
+  // many, and answers these.
+  int most_attributes = kMaxAttributes;
   std::function<bool(const Frustum<double>&)> takes_frustum = {};  // of view space; null: any
 
   // Contracts full and cut alone. Pre-condition: the contestant takes the batches, which outlive

@@ -108,7 +108,7 @@ std::vector<Misconduct> conduct(const Contestant& contestant, const Batch& batch
   const std::unique_ptr<Runner> runner = contestant.prepare(std::span(&batch, 1));
   const Answers expected = answers_of(*runner, count);
   Findings findings(expected);
-  auto* const plugin = dynamic_cast<PluginRunner*>(runner.get());
+  auto* const plugin = dynamic_cast<PluginRunner*>(&runner->worker());
   if (plugin != nullptr) {
     const Answers one = filled_answers(*plugin, kOneByte, count);
     const Answers other = filled_answers(*plugin, kOtherByte, count);

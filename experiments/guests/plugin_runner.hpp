@@ -20,10 +20,6 @@ inline constexpr std::size_t kMostAtOnce = 4096;  // primitives of a block
 
 class PluginRunner : public Runner {
  public:
-  // Around each run under the clock, see PluginHost.
-  virtual void enter_clock() = 0;
-  virtual void leave_clock() = 0;
-
   // What the questions of conduct.hpp need beside the answers.
   virtual bool is_thread_safe() const = 0;
   virtual void start_anew() = 0;                     // in a host that was never asked

@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "experiments/contestants/fewer_attributes.hpp"
 #include "experiments/judge/bit_promise.hpp"
 #include "experiments/judge/exact_questions.hpp"
 #include "experiments/judge/promise.hpp"
@@ -164,6 +165,10 @@ Questions usually_asked(const Contestant& contestant) {
 
 std::vector<Examined> examine(const Contestant& contestant, const Batch& batch,
                               const Questions& asked, const Answers& given) {
+  if (has_more_attributes(batch, contestant.most_attributes)) {
+    const NarrowBatch narrow(batch, contestant.most_attributes);  // which was answered
+    return examine(contestant, narrow.batch(), asked, given);
+  }
   const BatchExamination examination(contestant, batch, asked, given);
   std::vector<Examined> examined(batch.size());
   if (examined.size() == 1) {

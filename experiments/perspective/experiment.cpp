@@ -4,6 +4,7 @@
 // that clipping makes, and in pictures.
 #include <fmt/format.h>
 
+#include "experiments/contestants/fewer_attributes.hpp"
 #include "experiments/perspective/measure.hpp"
 #include "experiments/perspective/rows.hpp"
 #include "experiments/report/experiment.hpp"
@@ -59,7 +60,8 @@ void measure_cuts(const ExperimentContext& context, Tables& tables) {
   for (const float ratio : kCutRatios) {
     context.piece(fmt::format("cut {}", ratio), {&tables.cuts}, [&](PieceRecord& record) {
       const auto triangles = cut_triangles(ratio, sample_size(selection), selection.seed);
-      for (const Contestant* contestant : named_contestants(selection, kCutClippers)) {
+      for (const Contestant* contestant :
+           with_attributes(named_contestants(selection, kCutClippers), kSceneAttributes)) {
         const CutRow row = measure_cut(*contestant, ratio, triangles);
         tables.cuts.add(row);
         if (row.max_error == 0) continue;

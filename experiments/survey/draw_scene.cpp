@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "experiments/judge/compare.hpp"
 #include "experiments/machine/errors.hpp"
 
@@ -29,7 +31,8 @@ FrameBuffer draw(const Scene& scene, const View& view, const PictureSize& size, 
 
 ScreenVertex screen_vertex(const VertexView& v) {
   ScreenVertex s{v[0].value, v[1].value, v[2].value, v[3].value, {}};
-  for (std::size_t k = 0; k < s.attributes.size(); ++k) s.attributes[k] = v[4 + k].value;
+  const std::size_t count = std::min(s.attributes.size(), v.size() - 4);  // guests may take fewer
+  for (std::size_t k = 0; k < count; ++k) s.attributes[k] = v[4 + k].value;
   return s;
 }
 

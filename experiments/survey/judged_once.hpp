@@ -42,6 +42,7 @@ class JudgedOnce {
  private:
   static bool same_polygon(const PolygonView& a, const PolygonView& b) {
     if (&a.format() != &b.format() || a.size() != b.size()) return false;
+    if (a.failure() || b.failure()) return false;
     for (std::size_t i = 0; i < a.size(); ++i) {
       if (!same_vertex(a[i], b[i], Likeness::by_bits)) return false;
     }

@@ -3,6 +3,7 @@
 // Watertight: shared edges of meshes x clippers x scalars; the pieces that two neighbours keep.
 #include <fmt/format.h>
 
+#include "experiments/contestants/fewer_attributes.hpp"
 #include "experiments/machine/machine.hpp"
 #include "experiments/machine/progress.hpp"
 #include "experiments/report/experiment.hpp"
@@ -58,7 +59,9 @@ void draw_widest(const ExperimentContext& context, const std::vector<WorstRow>& 
 
 void run(const ExperimentContext& context) {
   const Selection& selection = context.selection();
-  const Contestants contestants = selected_contestants(selection);
+  // What lies on an edge is found by marks in attributes.
+  const Contestants contestants =
+      with_attributes(selected_contestants(selection), kSceneAttributes);
   TableOf<MeshRow> meshes;
   TableOf<Row> table;
   TableOf<PlaneRow> planes;

@@ -41,11 +41,14 @@ class Runner {
   // In a stage, what is wrong with the form of the answer: numbers that do not ascend, say. Else
   // empty.
   virtual std::string malformed() const { return ""; }
-  // Of a runner that lets another process clip: around each run under the clock, and, asked just
-  // before and after it, how often that process has lost its processor so far.
+  // How often another process that clips in place of the calling thread has lost its processor so
+  // far. Asked before and after each run under the clock, so that such a process is awake then.
+  virtual std::int64_t interruptions() { return 0; }
+  // Around each run under the clock.
   virtual void enter_clock() {}
   virtual void leave_clock() {}
-  virtual std::int64_t interruptions() { return 0; }
+  // Who does the work, where this one hands it on.
+  virtual Runner& worker() { return *this; }
 };
 
 // What a contestant promises of its polygons in a stage, in clip space.

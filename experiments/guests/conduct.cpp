@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/contestants/fewer_attributes.hpp"
 #include "experiments/contestants/same_bits.hpp"
 #include "experiments/guests/plugin_runner.hpp"
 
@@ -103,15 +102,13 @@ void ask_in_threads(PluginRunner& runner, std::size_t count, Findings& findings)
 
 }  // namespace
 
-std::vector<Misconduct> conduct(const Contestant& contestant, const Batch& given) {
-  const NarrowBatch narrow(given, contestant.most_attributes);
-  const Batch& batch = narrow.batch();
+std::vector<Misconduct> conduct(const Contestant& contestant, const Batch& batch) {
   const std::size_t count = batch.size();
   if (count == 0) return {};
   const std::unique_ptr<Runner> runner = contestant.prepare(std::span(&batch, 1));
   const Answers expected = answers_of(*runner, count);
   Findings findings(expected);
-  auto* const plugin = dynamic_cast<PluginRunner*>(runner.get());
+  auto* const plugin = dynamic_cast<PluginRunner*>(&runner->worker());
   if (plugin != nullptr) {
     const Answers one = filled_answers(*plugin, kOneByte, count);
     const Answers other = filled_answers(*plugin, kOtherByte, count);

@@ -31,8 +31,9 @@ Run run(const Task& task, double share) {
   const Clock::time_point start = Clock::now();
   const std::size_t items = task.work(share);
   const Clock::time_point end = Clock::now();
-  return {std::chrono::duration<double, std::nano>(end - start).count(), items,
-          interruptions() != before};
+  const bool interrupted = interruptions() != before;
+  if (task.finish) task.finish();
+  return {std::chrono::duration<double, std::nano>(end - start).count(), items, interrupted};
 }
 
 // The share that takes about so long. Leaves the task warm.

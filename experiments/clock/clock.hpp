@@ -47,8 +47,9 @@ struct Task {
   std::function<std::size_t(double share)> work;
   // What is wrong with the answer; empty if nothing is.
   std::function<std::string()> check;
-  // Makes ready for the work before each run, off the clock; null where nothing is to be done.
-  std::function<void()> prepare = nullptr;
+  // Makes ready for the work before each run, and cleans up after it, off the clock; null where
+  // nothing is to be done.
+  std::function<void()> prepare = nullptr, finish = nullptr;
   // The clock chooses the share between these, so that a run takes about as long as it should.
   double least_share = 1, most_share = 1;
   // Of a contender, measures of how inaccurate its answers are, as many for all; none: as much as

@@ -28,7 +28,7 @@ bool is_plane(const Batch& batch) {
   return batch.attributes == 0 && batch.volume.clip_distances == 0;
 }
 
-constexpr std::size_t kGuests = 64;
+constexpr std::size_t kGuests = 256;
 
 // Its capacity never changes, so that pointers to contestants stay good.
 std::vector<Contestant>& all_with_room() {

@@ -44,6 +44,11 @@ class Runner {
   // How often another process that clips in place of the calling thread has lost its processor so
   // far. Asked before and after each run under the clock, so that such a process is awake then.
   virtual std::int64_t interruptions() { return 0; }
+  // Around each run under the clock.
+  virtual void enter_clock() {}
+  virtual void leave_clock() {}
+  // Who does the work, where this one hands it on.
+  virtual Runner& worker() { return *this; }
 };
 
 // What a contestant promises of its polygons in a stage, in clip space.

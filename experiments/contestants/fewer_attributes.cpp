@@ -26,6 +26,9 @@ class NarrowRunner final : public Runner {
   }
   Answers answers() const override { return runner_->answers(); }
   std::int64_t interruptions() override { return runner_->interruptions(); }
+  void enter_clock() override { runner_->enter_clock(); }
+  void leave_clock() override { runner_->leave_clock(); }
+  Runner& worker() override { return runner_->worker(); }
 
  private:
   std::deque<NarrowBatch> owned_;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "experiments/cost/flags.hpp"
+#include "experiments/cost/plugin.hpp"
 #include "experiments/cost/rows.hpp"
 #include "experiments/machine/machine.hpp"
 #include "experiments/machine/progress.hpp"
@@ -115,6 +116,7 @@ void run(const ExperimentContext& context) {
   const std::string full = run_full(context), stage = run_stage(context);
   run_growth(context);
   run_flags(context);
+  run_plugin(context);
   context.finding(full + (stage.empty() ? "" : " " + stage));
 }
 

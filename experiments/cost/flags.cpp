@@ -6,6 +6,7 @@
 #include <bit>
 #include <memory>
 
+#include "experiments/contestants/same_bits.hpp"
 #include "experiments/cost/builds/build.hpp"
 #include "experiments/machine/machine.hpp"
 #include "experiments/selection/select.hpp"
@@ -49,18 +50,6 @@ Contestant contestant_of(const builds::Clipper& clipper) {
     return std::make_unique<BuildRunner>(clipper, *format, batches.front());
   };
   return contestant;
-}
-
-bool has_same_bits(const PolygonView& a, const PolygonView& b) {
-  return std::ranges::equal(a, b, [](const VertexView& u, const VertexView& v) {
-    for (std::size_t i = 0; i < u.size(); ++i) {
-      const auto bits = [i](const VertexView& w) {
-        return std::bit_cast<std::uint64_t>(w[i].value);
-      };
-      if (bits(u) != bits(v)) return false;
-    }
-    return true;
-  });
 }
 
 std::int64_t count_other_bits(const Answers& a, const Answers& b) {

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <list>
 #include <system_error>
-#include <utility>
 
 #include "experiments/guests/plugin_runner.hpp"
+#include "experiments/guests/plugin_task.hpp"
 #include "experiments/guests/texts.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/machine/shell_word.hpp"
@@ -20,15 +20,9 @@ namespace {
 
 constexpr std::size_t kMostNameBytes = 60;
 
-struct Loaded {
-  Loaded(std::string library, double seconds) : plugin(std::move(library), seconds) {}
-  Plugin plugin;
-  std::string_view name;
-};
-
 // They live as long as contestants do.
-std::list<Loaded>& loaded_plugins() {
-  static std::list<Loaded> all;
+std::list<Plugin>& loaded_plugins() {
+  static std::list<Plugin> all;
   return all;
 }
 
@@ -137,19 +131,12 @@ void add_contestants(Plugin& plugin, Contestant contestant) {
 }  // namespace
 
 std::string_view add_plugin(const std::string& library, double seconds) {
-  Loaded& loaded = loaded_plugins().emplace_back(absolute_path(library), seconds);
-  const std::string fault = fault_of(loaded.plugin.description());
+  Plugin& plugin = loaded_plugins().emplace_back(absolute_path(library), seconds);
+  const std::string fault = fault_of(plugin.description());
   if (!fault.empty()) throw GuestError(fmt::format("--plugin: {}: {}", library, fault));
-  const Contestant contestant = describe_plugin(loaded.plugin, library);
-  add_contestants(loaded.plugin, contestant);
-  return loaded.name = contestant.clipper;
-}
-
-Plugin* plugin_of(const Contestant& contestant) {
-  for (Loaded& loaded : loaded_plugins()) {
-    if (contestant.is_guest && loaded.name == contestant.clipper) return &loaded.plugin;
-  }
-  return nullptr;
+  const Contestant contestant = describe_plugin(plugin, library);
+  add_contestants(plugin, contestant);
+  return contestant.clipper;
 }
 
 }  // namespace clipscope::experiments

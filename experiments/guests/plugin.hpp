@@ -17,7 +17,4 @@ namespace clipscope::experiments {
 // Errors: GuestError, which says why it can't be asked.
 std::string_view add_plugin(const std::string& library, double seconds = kPluginSeconds);
 
-// Of a contestant that is a plug-in; null of others.
-Plugin* plugin_of(const Contestant& contestant);
-
 }  // namespace clipscope::experiments

@@ -35,7 +35,6 @@ PluginChannel::PluginChannel(std::string library, std::vector<int> processors)
 PluginHost& PluginChannel::host() {
   if (!host_) {
     host_ = std::make_unique<PluginHost>(library_, processors_);
-    host_->stay_awake(is_awake_);
     for (Shared& input : inputs_) input.is_known = false;
     for (Shared* s :
          {&input_ends_, &outputs_[0], &outputs_[1], &output_ends_[0], &output_ends_[1]}) {
@@ -59,11 +58,6 @@ SharedArea& PluginChannel::output(std::size_t thread, std::size_t bytes) {
 }
 SharedArea& PluginChannel::output_ends(std::size_t thread, std::size_t bytes) {
   return reserved(output_ends_[thread], bytes);
-}
-
-void PluginChannel::stay_awake(bool awake) {
-  is_awake_ = awake;
-  if (host_) host_->stay_awake(awake);
 }
 
 std::optional<Failure> PluginChannel::hand_over_all() {
@@ -110,7 +104,6 @@ std::unique_ptr<PluginChannel> Plugin::take() {
 }
 
 void Plugin::give_back(std::unique_ptr<PluginChannel> channel) {
-  channel->stay_awake(false);
   const std::lock_guard lock(mutex_);
   idle_.push_back(std::move(channel));
 }

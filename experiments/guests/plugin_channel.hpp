@@ -33,7 +33,8 @@ class PluginChannel {
   void start_anew() { host_.reset(); }
 
   const plugin::Description& description() { return host().description(); }
-  void stay_awake(bool awake);
+  void enter_clock() { host().enter_clock(); }
+  void leave_clock() { host().leave_clock(); }
   std::int64_t lost_processor() { return host().lost_processor(); }
 
  private:
@@ -51,7 +52,6 @@ class PluginChannel {
   std::string library_;
   std::vector<int> processors_;
   std::unique_ptr<PluginHost> host_;
-  bool is_awake_ = false;
   std::deque<Shared> inputs_;  // which stay where they are
   Shared input_ends_{plugin::Use::input_ends};
   Shared outputs_[2] = {{plugin::Use::output, 0}, {plugin::Use::output, 1}};

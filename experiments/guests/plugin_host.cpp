@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/machine/measuring.hpp"
 #include "spaces/plugin/guarded.hpp"
 
 extern char** environ;
@@ -77,30 +78,25 @@ bool SharedArea::reserve(std::size_t bytes) {
   return true;
 }
 
-std::filesystem::path beside_program(const std::string& name) {
+std::filesystem::path file_of_program(const std::string& name) {
   namespace fs = std::filesystem;
   std::error_code ignored;
-  const fs::path beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / name;
-  const fs::path built = fs::path(CLIPSCOPE_PLUGIN_FOLDER) / name;
-  for (const fs::path& path : {beside, built}) {
-    if (fs::exists(path, ignored)) return path;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const fs::path& folder :
+       {program, program / CLIPSCOPE_INSTALLED_FOLDER, fs::path(CLIPSCOPE_BUILT_FOLDER)}) {
+    if (fs::exists(folder / name, ignored)) return folder / name;
   }
   throw GuestError(fmt::format(
       "{} is missing, without which no plug-in can be asked; expected it beside the program, in {}",
-      name, beside.parent_path().string()));
+      name, program.string()));
 }
 
 PluginHost::PluginHost(const std::string& library, const std::vector<int>& processors)
-    : library_(library), processors_(processors.size()) {
+    : library_(library), processors_(processors) {
   shared_.reserve(sizeof(plugin::Control));
   new (shared_.begin()) plugin::Control;
-  for (const int p : processors) {
-    const auto bit = static_cast<std::size_t>(p);
-    if (bit < 64 * control().processors.size()) {
-      control().processors[bit / 64] |= std::uint64_t{1} << (bit % 64);
-    }
-  }
-  stay_awake(false);
+  let_run_on(processors_);
+  stay_awake(kAwakeUs, kAwakeUs);
   start(library);
   std::optional<Failure> failure;
   if (!plugin::send_area(socket_, {plugin::Use::control, 0, shared_.size()}, shared_.file())) {
@@ -125,7 +121,7 @@ PluginHost::~PluginHost() {
 }
 
 void PluginHost::start(const std::string& library) {
-  const std::string host = beside_program("clipscope_plugin_host").string();
+  const std::string host = file_of_program("clipscope_plugin_host").string();
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) {
     throw GuestError(fmt::format("no socket for a plug-in: {}", error_text(errno)));
@@ -180,10 +176,38 @@ std::optional<Failure> PluginHost::hand_over(plugin::Use use, std::size_t index,
   return failure;
 }
 
-void PluginHost::stay_awake(bool awake) {
-  const bool is_alone = processors_ < 2;
-  awake_us_ = is_alone ? 0 : awake ? kTimedAwakeUs : kAwakeUs;
-  control().awake_us = is_alone ? 0 : awake ? kHostAwakeUs : kAwakeUs;
+void PluginHost::let_run_on(const std::vector<int>& processors) {
+  auto& bits = control().processors;
+  bits = {};
+  for (const int p : processors) {
+    const auto bit = static_cast<std::size_t>(p);
+    if (bit < 64 * bits.size()) bits[bit / 64] |= std::uint64_t{1} << (bit % 64);
+  }
+}
+
+// With one processor neither waits awake, since the other one needs it.
+void PluginHost::stay_awake(double program_us, double host_us) {
+  const bool is_alone = processors_.size() < 2;
+  awake_us_ = is_alone ? 0 : program_us;
+  control().awake_us = is_alone ? 0 : host_us;
+}
+
+void PluginHost::enter_clock() {
+  stay_awake(kTimedAwakeUs, kHostAwakeUs);
+  const std::vector<int> own = allowed_processors();
+  const auto other = std::ranges::find_if(processors_, [&](int p) { return p != own.front(); });
+  if (own.size() != 1 || other == processors_.end()) return;
+  let_run_on(own);
+  if (keep_to(*other)) measured_ = own.front();
+}
+
+void PluginHost::leave_clock() {
+  stay_awake(0, 0);
+  let_run_on(processors_);
+  lost_processor();  // it sleeps now
+  stay_awake(kAwakeUs, kAwakeUs);
+  if (measured_) keep_to(*measured_);
+  measured_.reset();
 }
 
 std::int64_t PluginHost::lost_processor() {

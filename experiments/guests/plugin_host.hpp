@@ -42,8 +42,8 @@ class SharedArea {
   std::size_t bytes_ = 0;
 };
 
-// A file that is installed beside the program, or stands where it was built. Errors: GuestError.
-std::filesystem::path beside_program(const std::string& name);
+// A file that is installed with the program, or stands where it was built. Errors: GuestError.
+std::filesystem::path file_of_program(const std::string& name);
 
 class PluginHost {
  public:
@@ -65,14 +65,18 @@ class PluginHost {
   // The same, whatever was wrong.
   std::optional<Failure> hand_over(plugin::Use use, std::size_t index, const SharedArea& area);
 
-  // From now on, whether both sides wait for each other without sleeping, as long as is usual.
-  void stay_awake(bool awake);
-  // How often it has lost its processor so far, by the way made ready for a call.
+  // Under the clock the host gets the processor that the calling thread keeps to, so that who is
+  // timed beside it has the same one; the thread waits on another meanwhile, without sleeping.
+  void enter_clock();
+  void leave_clock();
+  // How often it has lost its processor so far. It is awake then.
   std::int64_t lost_processor();
 
  private:
   plugin::Control& control() { return *reinterpret_cast<plugin::Control*>(shared_.begin()); }
   void start(const std::string& library);
+  void let_run_on(const std::vector<int>& processors);
+  void stay_awake(double program_us, double host_us);
   bool is_answered(double seconds);
   bool has_ended();
   void end();
@@ -82,7 +86,8 @@ class PluginHost {
   SharedArea shared_;
   pid_t process_ = -1;
   int socket_ = -1, status_ = 0;
-  std::size_t processors_ = 1;
+  std::vector<int> processors_;
+  std::optional<int> measured_ = {};  // the processor, under the clock
   std::uint32_t orders_ = 0;
   double awake_us_ = 0;
 };

@@ -5,118 +5,20 @@
 
 #include <algorithm>
 #include <cstring>
-#include <numeric>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
-#include "experiments/contestants/typed_input.hpp"
+#include "experiments/guests/plugin_task.hpp"
 
 namespace clipscope::experiments {
 
-std::uint32_t primitive_bit(int vertices) {
-  if (vertices == 0) return CLIPSCOPE_POLYGONS;
-  return static_cast<std::uint32_t>(CLIPSCOPE_POINTS) << (vertices - 1);
-}
-std::uint32_t depth_bit(DepthRange depth) {
-  return static_cast<std::uint32_t>(CLIPSCOPE_DEPTH_MINUS_ONE_TO_ONE) << static_cast<int>(depth);
-}
-
-bool takes_in_view_space(const Plugin& plugin, const Frustum<double>& f) {
-  const bool is_parallel = f.kind == ProjectionKind::parallel;
-  const bool is_centred = f.left == -f.right && f.bottom == -f.top;
-  const bool is_oblique = f.shear_x != 0 || f.shear_y != 0;
-  return plugin.can(CLIPSCOPE_VIEW_SPACE) && (is_centred || plugin.can(CLIPSCOPE_OFF_CENTRE)) &&
-         (!is_parallel || plugin.can(CLIPSCOPE_ORTHOGRAPHIC)) &&
-         (!is_oblique || plugin.can(CLIPSCOPE_OBLIQUE)) &&
-         (!f.infinite_far || plugin.can(CLIPSCOPE_INFINITE_FAR));
-}
-
 namespace {
 
-constexpr std::size_t kMostAtOnce = 4096;  // primitives of a block
 // Parts of a block that does not end get this much of its time. Who is blamed had all of it.
 constexpr double kPartOfTime = 0.1;
 // Blocks that are not answered are looked into as long as so little was found; then all of a block
 // is to blame.
 constexpr int kMostEndless = 16, kMostFound = 512;
-
-template <class T>
-clipscope_frustum frustum_of(const Frustum<T>& f) {
-  clipscope_frustum to{};
-  to.left = f.left;
-  to.right = f.right;
-  to.bottom = f.bottom;
-  to.top = f.top;
-  to.z_near = f.near;
-  to.z_far = f.infinite_far ? T(0) : f.far;
-  to.shear_x = f.shear_x;
-  to.shear_y = f.shear_y;
-  to.is_orthographic = f.kind == ProjectionKind::parallel;
-  to.is_infinite = f.infinite_far;
-  return to;
-}
-
-void set_volume_of(const ClipVolume& volume, clipscope_task& task) {
-  const DepthClamp& clamp = volume.depth_clamp;
-  const OpenSides& open = volume.open_sides;
-  task.depth = depth_bit(volume.depth);
-  task.depth_clamp =
-      (clamp.near ? CLIPSCOPE_CLAMP_NEAR : 0) | (clamp.far ? CLIPSCOPE_CLAMP_FAR : 0);
-  task.open_sides = (open.left ? CLIPSCOPE_OPEN_LEFT : 0) |
-                    (open.right ? CLIPSCOPE_OPEN_RIGHT : 0) |
-                    (open.bottom ? CLIPSCOPE_OPEN_BOTTOM : 0) | (open.top ? CLIPSCOPE_OPEN_TOP : 0);
-  task.clip_distances = static_cast<std::uint32_t>(volume.clip_distances);
-}
-
-// What the tasks of a batch have in common.
-template <class T>
-clipscope_task task_of_batch(const Batch& batch) {
-  const Projection<T> projection = projection_in<T>(batch);
-  clipscope_task task{};
-  task.struct_size = sizeof task;
-  task.scalar = std::is_same_v<T, float> ? CLIPSCOPE_FLOAT : CLIPSCOPE_DOUBLE;
-  task.space = batch.space == Space::view ? CLIPSCOPE_VIEW_SPACE : CLIPSCOPE_CLIP_SPACE;
-  task.primitive = primitive_bit(batch.vertices);
-  task.attributes = static_cast<std::uint32_t>(batch.attributes) +
-                    static_cast<std::uint32_t>(batch.planes.size());
-  task.stride = static_cast<std::uint32_t>(batch.dimension()) + task.attributes;
-  set_volume_of(projection.volume, task);
-  if (batch.space == Space::view) {
-    if (!batch.matrix) task.frustum = frustum_of(projection.frustum);
-    const MatrixRows<T> rows = batch.matrix ? matrix_from<T>(*batch.matrix) : rows_of(projection);
-    for (std::size_t i = 0; i < 16; ++i) task.matrix[i] = rows[i / 4][static_cast<int>(i % 4)];
-  }
-  const PointSize<T> size = point_size_in<T>(batch);
-  task.point_half_size[0] = size.half_width;
-  task.point_half_size[1] = size.half_height;
-  return task;
-}
-
-std::size_t first_vertex(const Batch& batch, std::size_t primitive) {
-  if (batch.vertices > 0) return primitive * static_cast<std::size_t>(batch.vertices);
-  return primitive == 0 ? 0 : batch.ends[primitive - 1];
-}
-
-// Of one primitive: see clipscope_answer.
-std::size_t most_vertices(const Batch& batch, const clipscope_task& task) {
-  if (batch.vertices == 1 || batch.vertices == 2) return static_cast<std::size_t>(batch.vertices);
-  std::size_t largest = 3;
-  for (std::size_t i = 0; i < batch.ends.size(); ++i) {
-    largest = std::max(largest, first_vertex(batch, i + 1) - first_vertex(batch, i));
-  }
-  return largest + 7 + task.clip_distances;
-}
-
-template <Space S, class T>
-void write_vertices(const Batch& batch, std::size_t vertices, T* to) {
-  const VertexReader<S, T, kRunTime> read(batch);
-  for (std::size_t v = 0; v < vertices; ++v) {
-    const Vertex<S, T, kRunTime> vertex = read(v);
-    for (int i = 0; i < vertex.kDimension; ++i) *to++ = vertex.position[i];
-    for (int k = 0; k < vertex.attributes.size(); ++k) *to++ = vertex.attributes[k];
-  }
-}
 
 // A batch as the plug-in is asked about it. Its input is an area of its own.
 struct Part {
@@ -157,11 +59,11 @@ class TypedPluginRunner final : public PluginRunner {
     return all;
   }
 
-  std::int64_t interruptions() override {
-    channel_->stay_awake(true);
-    return channel_->lost_processor();
-  }
+  void enter_clock() override { channel_->enter_clock(); }
+  void leave_clock() override { channel_->leave_clock(); }
+  std::int64_t interruptions() override { return channel_->lost_processor(); }
 
+  bool is_thread_safe() const override { return plugin_.can(CLIPSCOPE_THREAD_SAFE); }
   void start_anew() override { channel_->start_anew(); }
 
   void fill_output(unsigned char byte) override {
@@ -171,18 +73,14 @@ class TypedPluginRunner final : public PluginRunner {
   }
 
   Answers clip_twice(std::size_t batch, std::size_t first, std::size_t count) override {
-    clip(batch, first, count);
-    Answers second(kFormat<T>, stride());
-    count = std::min(count, kMostAtOnce);
+    part_ = &parts_[batch];
     reserve_output(1, *part_);
-    const plugin::Request request = request_of(first, count);
-    if (const auto failure = channel_->clip(request, plugin_.seconds(), true)) {
-      for (std::size_t i = 0; i < count; ++i) second.fail(*failure);
-      return second;
-    }
     kept_ = Answers(kFormat<T>, stride());
-    in_place_ = count;
-    read_answer(1, count, second);
+    const auto failure = channel_->clip(request_of(first, count), plugin_.seconds(), true);
+    if (failure) blame_all(count, *failure);
+    in_place_ = failure ? 0 : count;
+    Answers second = kept_;
+    read_answer(1, in_place_, second);
     return second;
   }
 
@@ -192,7 +90,7 @@ class TypedPluginRunner final : public PluginRunner {
   void add_part(const Batch& batch) {
     Part part{.batch = &batch};
     plugin::Request& request = part.request;
-    request.task = task_of_batch<T>(batch);
+    request.task = task_of<T>(batch);
     request.by_matrix = batch.matrix.has_value();
     request.projects = batch.space == Space::view &&
                        (request.by_matrix || !takes_in_view_space(plugin_, batch.frustum));
@@ -202,11 +100,7 @@ class TypedPluginRunner final : public PluginRunner {
     part.numbers = vertices * request.task.stride;
     T* const to = channel_->input(request.input, std::max<std::size_t>(1, part.numbers * sizeof(T)))
                       .template last<T>(part.numbers);
-    if (batch.space == Space::view) {
-      write_vertices<Space::view>(batch, vertices, to);
-    } else {
-      write_vertices<Space::clip>(batch, vertices, to);
-    }
+    write_vertices(batch, to);
     reserve_output(0, part);
     parts_.push_back(part);
   }
@@ -314,10 +208,9 @@ class TypedPluginRunner final : public PluginRunner {
   }
 
   void blame_all(std::size_t count, const Failure& failure) {
-    for (std::size_t i = 0; i < count; ++i) {
-      kept_.fail({failure.kind, fmt::format("{}, in a batch of {} that was not looked into further",
-                                            failure.reason, count)});
-    }
+    const std::string reason =
+        fmt::format("{}, in a batch of {} that was not looked into further", failure.reason, count);
+    for (std::size_t i = 0; i < count; ++i) kept_.fail({failure.kind, reason});
   }
 
   // Both halves are answered by themselves.

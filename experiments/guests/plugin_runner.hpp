@@ -16,24 +16,20 @@
 
 namespace clipscope::experiments {
 
+inline constexpr std::size_t kMostAtOnce = 4096;  // primitives of a block
+
 class PluginRunner : public Runner {
  public:
   // What the questions of conduct.hpp need beside the answers.
+  virtual bool is_thread_safe() const = 0;
   virtual void start_anew() = 0;                     // in a host that was never asked
   virtual void fill_output(unsigned char byte) = 0;  // with what the plug-in then finds there
-  // The same in two threads at once, and what the second one left.
+  // Asks in two threads at once; what the second one left. Pre-condition: count <= kMostAtOnce.
   virtual Answers clip_twice(std::size_t batch, std::size_t first, std::size_t count) = 0;
 };
 
 // In float or double. The plug-in and the batches outlive it.
 std::unique_ptr<PluginRunner> make_plugin_runner(Plugin& plugin, const Format& format,
                                                  std::span<const Batch> batches);
-
-// Whether the plug-in is asked about the frustum in view space.
-bool takes_in_view_space(const Plugin& plugin, const Frustum<double>& frustum);
-
-// The capability bit of what a batch holds.
-std::uint32_t primitive_bit(int vertices);
-std::uint32_t depth_bit(DepthRange depth);
 
 }  // namespace clipscope::experiments

@@ -33,13 +33,6 @@ void raise_to_real_time() {
       std::strerror(errno)));
 }
 
-bool pin_to(int processor) {
-  cpu_set_t one;
-  CPU_ZERO(&one);
-  CPU_SET(static_cast<std::size_t>(processor), &one);
-  return sched_setaffinity(0, sizeof one, &one) == 0;
-}
-
 double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
@@ -89,6 +82,13 @@ std::vector<int> allowed_processors() {
   return processors;
 }
 
+bool keep_to(int processor) {
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(static_cast<std::size_t>(processor), &one);
+  return sched_setaffinity(0, sizeof one, &one) == 0;
+}
+
 MeasuringThread::MeasuringThread() : MeasuringThread(sched_getcpu()) {}
 
 MeasuringThread::MeasuringThread(int processor) {
@@ -97,7 +97,7 @@ MeasuringThread::MeasuringThread(int processor) {
   if (in_real_time) raise_to_real_time();
   CPU_ZERO(&affinity_before_);
   if (sched_getaffinity(0, sizeof affinity_before_, &affinity_before_) != 0) return;
-  pinned_ = pin_to(processor);
+  pinned_ = keep_to(processor);
 }
 
 MeasuringThread::~MeasuringThread() {

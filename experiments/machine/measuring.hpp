@@ -20,6 +20,9 @@ void measure_in_real_time();
 // The processors that the calling thread may run on, by number.
 std::vector<int> allowed_processors();
 
+// The calling thread keeps to that processor from now on; false where the system does not allow it.
+bool keep_to(int processor);
+
 // While the object lives the calling thread keeps to one processor, and is in the real-time class
 // if measure_in_real_time() was called. Errors: UsageError where the kernel refuses that.
 class MeasuringThread {

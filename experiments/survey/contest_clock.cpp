@@ -78,6 +78,8 @@ Task contest_task(const Contestant& contestant, std::span<const Batch> batches,
                 if (!contestant.untimed.empty()) return std::string(contestant.untimed);
                 return first_broken_promise(contestant, *runner, batches, checked);
               },
+          .prepare = [=] { runner->enter_clock(); },
+          .finish = [=] { runner->leave_clock(); },
           .least_share = std::min(1.0, kLeastPrimitives / size),
           .interruptions = [=] { return involuntary_switches() + runner->interruptions(); }};
 }

@@ -125,6 +125,8 @@ class Host {
 
   // In the scheduling class of who asks: that thread waits for this one.
   void wake() {
+    if (control_.processors != processors_) use_processors(control_);
+    processors_ = control_.processors;
     if (sched_getscheduler(0) != control_.scheduling_class) {
       const sched_param parameters{.sched_priority = control_.scheduling_priority};
       sched_setscheduler(0, control_.scheduling_class, &parameters);
@@ -183,6 +185,7 @@ class Host {
   const char* path_;
   Control& control_;
   const clipscope_plugin* plugin_ = nullptr;
+  decltype(Control::processors) processors_ = {};
   Memory memory_;
 };
 

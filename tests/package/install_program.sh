@@ -16,6 +16,11 @@ draw=("$program" render --scene corridor --clipper homogeneous/sutherland_hodgma
 quietly "${draw[@]}" --out "$work/corridor.png"
 [[ $(head -c 4 "$work/corridor.png") == $'\x89PNG' ]] || die "there is no picture"
 
+# The host of plug-ins is installed beside the program.
+clipped=$(echo '0 0 0 1  2 0 0 1  0 1 0 1' |
+  "$program" clip --space clip --plugin "$(find "$prefix" -name clipscope_own_plugin.so)")
+[[ $clipped == *$'\n'*,1,0,0,1* ]] || die "the installed plug-in clips otherwise: $clipped"
+
 echo "not a module" >"$module"
 "$program" list clippers >/dev/null
 if "${draw[@]}" --out "$work/none.png" 2>"$work/errors"; then

@@ -25,6 +25,7 @@ packages=(
   libsqlitecpp-dev libsqlite3-dev             # results store
   gnuplot-nox                                 # plots
   catch2 libbenchmark-dev                     # tests, timing
+  python3                                     # an example of a program as a clipper
 )
 
 # One line per step, with the seconds since the start.

@@ -27,6 +27,8 @@ packages=(
   catch2 libbenchmark-dev                     # tests, timing
   python3                                     # an example of a program as a clipper
 )
+# shellcheck disable=SC2034  # for the scripts
+sanitize_packages=(clang-14 libclang-rt-14-dev) # of the preset `sanitize`
 
 # One line per step, with the seconds since the start.
 say() {

@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <set>
 #include <utility>
@@ -28,18 +27,6 @@ using reference::Verdict;
 using Words = std::vector<std::string_view>;
 
 constexpr std::size_t kMostPolygonVertices = 32;
-
-// A decimal or hex float. Decimals are rounded to double.
-std::optional<double> parse_number(std::string_view word) {
-  const bool negative = word.starts_with('-');
-  const std::string_view digits = negative ? word.substr(1) : word;
-  if (!digits.starts_with("0x")) return to_number(word);
-  double value = 0;
-  const char* const end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data() + 2, end, value, std::chars_format::hex);
-  if (stop != end || error != std::errc{} || digits.size() == 2) return std::nullopt;
-  return negative ? -value : value;
-}
 
 std::optional<Rational> parse_ratio(std::string_view word) {
   const std::size_t slash = word.find('/');
@@ -145,7 +132,7 @@ class CaseReader {
 
   // A number that a float holds exactly; others are noted, to be refused all at once.
   double number(std::string_view word) {
-    const std::optional<double> value = parse_number(word);
+    const std::optional<double> value = to_number_or_hex(word);
     require(value.has_value(),
             "found '{}'; expected a number such as -0.25 or a hex float such as -0x1p-2", word);
     const std::string defect = defect_of(*value);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What commands share: options for scenes, cameras, clippers and scalars; how a table is printed;
-// primitives as text.
+// What commands share: options for scenes, cameras, clippers, scalars and primitives; how a table
+// is printed.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,6 +19,7 @@
 
 #include "experiments/catalogue/hard_case.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/primitive_text.hpp"
 #include "experiments/contestants/batch.hpp"
 #include "experiments/contestants/contestant.hpp"
 #include "experiments/machine/errors.hpp"
@@ -128,34 +129,10 @@ CLI::Option* add_viewport_option(CLI::App& command,
                                  std::function<void(const std::array<double, 2>&)> set,
                                  const std::string& help);
 
-// Primitives as text, and the options that say what they mean.
-//
-// A line holds one primitive: a point, a segment, a triangle, or a polygon of three vertices or
-// more. Each vertex is its position (3 numbers in view space, 4 in clip space) and then its K
-// attributes; numbers are decimal or C99 hex floats, separated by blanks or commas. '#' starts a
-// comment; empty lines are skipped. A number is rounded once, to float for the scalars float and
-// counting and to double for the others.
-
-// A line that holds anything: its words.
-struct TextLine {
-  std::string place;  // "file:line"
-  std::vector<std::string> words;
-};
-
-// Of a file, or "-": standard input. Errors: InputError if it can't be read.
-std::vector<TextLine> read_lines(const std::string& path);
-
-// The number, rounded once to float or double. Errors: InputError naming the place.
-double parse_number(const std::string& word, bool as_float, const std::string& place);
-
-struct PrimitiveTextOptions : LensOptions {
-  std::string space = "view";
-  std::string scalar = "float";
-  int attributes = 0;
+// Primitives as text, and what they are clipped against.
+struct PrimitiveTextOptions : LensOptions, PrimitiveForm {
   DepthRange depth = DepthRange::minus_one_to_one;
-  int flat = 0;                     // so many of the last attributes have one value per primitive:
-  std::string provoking = "first";  // that of its first or last vertex
-  std::string file = "-";           // "-": standard input
+  std::string file = "-";  // "-": standard input
 };
 
 // What is clipped against: --perspective and so on, and --depth.
@@ -168,11 +145,6 @@ void add_primitive_text_options(CLI::App& command, PrimitiveTextOptions& options
 // Errors: UsageError unless exactly one projection is given for view space and none for clip space,
 // or if a frustum encloses no volume.
 Batch described_batch(const PrimitiveTextOptions& options);
-
-struct TextPrimitive {
-  std::string place;           // "file:line"
-  std::vector<double> values;  // (dimension + K) for each vertex; the scalar holds them exactly
-};
 
 // What clips beside the planes of a projection, and how these clip: --depth-clamp, --half-open,
 // --clip-distances and --plane.
@@ -207,8 +179,8 @@ void set_volume(const VolumeOptions& options, const Format& format, Batch& batch
 // Errors: UsageError if the clipper does not take the input's space or the volume's options.
 void check_takes(const Contestant& contestant, const Batch& batch);
 
-// All primitives of the file. Errors: InputError naming file and line, what was found, what was
-// expected.
+// All primitives of the file. Errors: those of primitives_in; InputError if it can't be read;
+// UsageError if more attributes are flat than there are.
 std::vector<TextPrimitive> read_primitives(const PrimitiveTextOptions& options,
                                            Primitive primitive);
 

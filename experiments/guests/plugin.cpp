@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "experiments/guests/plugin_runner.hpp"
+#include "experiments/guests/plugin_said.hpp"
 #include "experiments/guests/plugin_task.hpp"
 #include "experiments/guests/texts.hpp"
 #include "experiments/machine/errors.hpp"
@@ -54,10 +55,10 @@ bool is_name(std::string_view text) {
 std::string fault_of(const plugin::Description& d) {
   constexpr std::uint32_t kKnown = 2 * CLIPSCOPE_THREAD_SAFE - 1;
   const auto lacks = [&](std::uint32_t bits) { return (d.capabilities & bits) == 0; };
-  if (!is_name(d.name.data())) {
+  if (!is_name(text_of(d.name))) {
     return fmt::format(
         "its name is '{}'; expected {} characters at most of [a-z0-9_.-], a folder and '/' may stand before",
-        d.name.data(), kMostNameBytes);
+        text_of(d.name), kMostNameBytes);
   }
   if (d.most_attributes > CLIPSCOPE_MOST_ATTRIBUTES) {
     return fmt::format("its most_attributes are {}; expected {} at most", d.most_attributes,
@@ -83,14 +84,14 @@ std::string fault_of(const plugin::Description& d) {
 }
 
 std::string_view text_or(const plugin::Text& text, const std::string& otherwise) {
-  return kept_text(text[0] == '\0' ? otherwise : std::string(text.data()));
+  return kept_text(text[0] == '\0' ? otherwise : text_of(text));
 }
 
 // What its contestants have in common.
 Contestant describe_plugin(Plugin& plugin, const std::string& library) {
   const plugin::Description& d = plugin.description();
   Contestant contestant;
-  contestant.clipper = kept_text(d.name.data());
+  contestant.clipper = kept_text(text_of(d.name));
   contestant.summary = text_or(d.summary, "a plug-in");
   contestant.source = text_or(d.source, library);
   contestant.promise = no_promise();

@@ -1,34 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/guests/plugin_channel.hpp"
 
-#include <fmt/format.h>
-
 #include <utility>
 
+#include "experiments/guests/plugin_said.hpp"
 #include "experiments/machine/measuring.hpp"
 
 namespace clipscope::experiments {
-namespace {
-
-// What is wrong with an answer that was given.
-std::optional<Failure> malformed(const plugin::Control& said) {
-  using plugin::Fault;
-  const auto failure = [](std::string reason) {
-    return Failure{Failure::Kind::malformed, std::move(reason)};
-  };
-  switch (said.fault) {
-    case Fault::returned_error: return failure(fmt::format("returns error {}", said.code));
-    case Fault::wrote_before_output: return failure("wrote in front of its output");
-    case Fault::ends_descend:
-      return failure(fmt::format("leaves ends that descend at primitive {}", said.at));
-    case Fault::too_many_vertices:
-      return failure(fmt::format("leaves a polygon of {} vertices", said.vertices));
-    default: return {};
-  }
-}
-
-}  // namespace
-
 PluginChannel::PluginChannel(std::string library, std::vector<int> processors)
     : library_(std::move(library)), processors_(std::move(processors)) {}
 

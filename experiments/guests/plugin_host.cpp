@@ -13,10 +13,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <new>
+#include <thread>
 #include <utility>
 
+#include "experiments/guests/plugin_said.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/machine/measuring.hpp"
 #include "spaces/plugin/guarded.hpp"
@@ -26,7 +29,7 @@ extern char** environ;
 namespace clipscope::experiments {
 namespace {
 
-constexpr double kLoadingSeconds = 10;
+constexpr double kLoadingSeconds = 10, kEndingSeconds = 1;
 constexpr double kSlice = 0.02;  // s; how late the end of a host is seen, where it says nothing
 // Awake between calls that come one after the other; under the clock as long as a call may take.
 constexpr double kAwakeUs = 10, kHostAwakeUs = 60, kTimedAwakeUs = 5000;
@@ -109,7 +112,7 @@ PluginHost::PluginHost(const std::string& library, const std::vector<int>& proce
     throw GuestError(fmt::format("{}: while it is loaded, it {}", library, failure->reason));
   }
   if (control().fault == plugin::Fault::loads_not) {
-    const std::string reason = control().text.data();
+    const std::string reason = text_of(control().text);
     end();
     throw GuestError(fmt::format("{} is no plug-in that can be asked: {}", library, reason));
   }
@@ -141,8 +144,7 @@ std::optional<Failure> PluginHost::ask(plugin::Order order, double seconds) {
   control().order = order;
   plugin::pass(control().asked, ++orders_);
   if (is_answered(seconds)) {
-    using plugin::Fault;
-    if (control().fault != Fault::out_of_bounds && control().fault != Fault::signal) return {};
+    if (!says_why_it_ends(control())) return {};
     end();
     return failure_of_end();
   }
@@ -229,51 +231,22 @@ bool PluginHost::has_ended() {
   return process_ < 0;
 }
 
-// Of its own or, where it still runs, by force. What it said before remains.
+// Of its own, if it says so and does so, or by force. What it said before remains.
 void PluginHost::end() {
   if (process_ < 0) return;
-  const bool says_why =
-      control().fault == plugin::Fault::out_of_bounds || control().fault == plugin::Fault::signal;
-  if (!says_why) kill(process_, SIGKILL);
+  double left = says_why_it_ends(control()) ? kEndingSeconds : 0;
+  for (; left > 0 && !has_ended(); left -= kSlice / 10) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(kSlice / 10));
+  }
+  if (process_ < 0) return;
+  kill(process_, SIGKILL);
   while (waitpid(process_, &status_, 0) < 0 && errno == EINTR) {
   }
   process_ = -1;
 }
 
-namespace {
-
-std::string reach_text(const plugin::Reach& reach) {
-  using plugin::Reach;
-  using plugin::Use;
-  constexpr std::string_view kAccesses[] = {"reached", "read", "wrote"};
-  constexpr std::string_view kSides[] = {"in front of", "into", "beyond the end of"};
-  constexpr std::string_view kThings[] = {"", "its input", "the ends of its input", "its output",
-                                          "the ends of its output"};
-  return fmt::format("{} {} {}", kAccesses[static_cast<std::size_t>(reach.access)],
-                     kSides[static_cast<std::size_t>(reach.side)],
-                     kThings[static_cast<std::size_t>(reach.use)]);
-}
-
-std::string signal_text(int number) {
-  const char* name = sigabbrev_np(number);
-  return name == nullptr ? fmt::format("signal {}", number) : fmt::format("SIG{}", name);
-}
-
-}  // namespace
-
 Failure PluginHost::failure_of_end() const {
-  const plugin::Control& said = control();
-  std::string reason;
-  if (said.fault == plugin::Fault::out_of_bounds) {
-    reason = reach_text(said.reach);
-  } else if (said.fault == plugin::Fault::signal) {
-    reason = fmt::format("was ended by {}", signal_text(said.code));
-  } else if (WIFSIGNALED(status_)) {
-    reason = fmt::format("was ended by {}", signal_text(WTERMSIG(status_)));
-  } else {
-    reason = fmt::format("ended its process with exit code {}", WEXITSTATUS(status_));
-  }
-  return {Failure::Kind::crashed, reason};
+  return experiments::failure_of_end(control(), status_);
 }
 
 }  // namespace clipscope::experiments

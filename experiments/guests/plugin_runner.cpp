@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "experiments/guests/plugin_said.hpp"
 #include "experiments/guests/plugin_task.hpp"
 
 namespace clipscope::experiments {
@@ -157,13 +158,12 @@ class TypedPluginRunner final : public PluginRunner {
   void read_answer(std::size_t thread, std::size_t count, Answers& answers) const {
     if (count == 0) return;
     const std::size_t capacity = count * part_->request.most_vertices * stride();
-    const T* number = channel_->output(thread, 0).template last<T>(capacity);
-    const auto* ends = channel_->output_ends(thread, 0).template last<std::size_t>(count);
-    const T* const start = number;
-    for (std::size_t i = 0; i < count; ++i) {
-      while (number < start + ends[i] * stride()) answers.add(*number++);
-      answers.end_polygon();
-    }
+    read_polygons<T>({.numbers = channel_->output(thread, 0).template last<T>(capacity),
+                      .ends = channel_->output_ends(thread, 0).template last<std::size_t>(count),
+                      .count = count,
+                      .most_vertices = static_cast<std::size_t>(part_->request.most_vertices),
+                      .stride = stride()},
+                     answers);
   }
 
   void refuse(std::size_t count) {

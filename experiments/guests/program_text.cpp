@@ -110,7 +110,8 @@ class AnswerReader {
     if (labels_ == 3 && whole_number(fields[1]) != 0) return "expected part 0";
     const std::size_t next = polygon.numbers.size() / numbers_;
     if (whole_number(fields[labels_ - 1]) != next) {
-      return fmt::format("vertex {} is out of order, expected {}", fields[labels_ - 1], next);
+      return fmt::format("vertex {} is out of order, expected {}", in_quotes(fields[labels_ - 1]),
+                         next);
     }
     for (std::size_t i = labels_; i < fields.size(); ++i) {
       const std::optional<double> x = number_of(fields[i], *form_.format);

@@ -83,7 +83,7 @@ std::string misrounded_in_any_order(const reference::ExactPolygon& exact,
   std::vector<Row> rows = rounded(exact);
   const std::string first = complaint_about(rows, polygon, Likeness::by_value);
   for (std::size_t i = 1; i < rows.size() && !first.empty(); ++i) {
-    std::ranges::rotate(rows, rows.begin() + 1);
+    std::rotate(rows.begin(), rows.begin() + 1, rows.end());
     if (complaint_about(rows, polygon, Likeness::by_value).empty()) return {};
   }
   return first;

@@ -71,7 +71,10 @@ std::vector<GltfCamera> read_gltf_cameras(const std::filesystem::path& path) {
   if (extension != ".gltf" && extension != ".glb") {
     refuse(name, "the extension '{}' is no glTF file; .gltf or .glb expected", extension);
   }
-  const std::string content = read_bytes(path);
+  return read_gltf_cameras(name, read_bytes(path));
+}
+
+std::vector<GltfCamera> read_gltf_cameras(const std::string& name, std::string_view content) {
   const Gltf gltf = read_gltf(name, content);
   std::vector<GltfCamera> cameras;
   for (const auto& [index, world_from_node] : shown_nodes(gltf)) {

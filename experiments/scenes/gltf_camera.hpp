@@ -11,6 +11,7 @@
 #include <glm/mat4x4.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/scenes/camera.hpp"
@@ -35,6 +36,8 @@ struct GltfCamera {
 // Errors: InputError for what is no .gltf or .glb file, and for a camera whose numbers are missing
 // or enclose no volume, naming its place.
 std::vector<GltfCamera> read_gltf_cameras(const std::filesystem::path& path);
+// The same of what a file of that name holds.
+std::vector<GltfCamera> read_gltf_cameras(const std::string& name, std::string_view content);
 
 // The camera of a file that has this name or number. Errors: UsageError that names all there are.
 const GltfCamera& find_camera(const std::vector<GltfCamera>& cameras, const std::string& wanted,

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 
 namespace clipscope::experiments {
@@ -134,11 +135,16 @@ std::optional<double> to_number(std::string_view word) {
   const auto [value, error] = parse<double>(word);
   if (error == std::errc::invalid_argument) return std::nullopt;
   if (error != std::errc::result_out_of_range) return value;
-  const std::size_t exponent = word.find_first_of("eE");
-  const bool tiny =
-      exponent != std::string_view::npos && word.substr(exponent + 1).starts_with('-');
-  const double magnitude = tiny ? 0.0 : std::numeric_limits<double>::infinity();
-  return word.starts_with('-') ? -magnitude : magnitude;
+  return std::strtod(std::string(word).c_str(), nullptr);  // 0 or infinite: from_chars says neither
+}
+
+std::optional<double> to_number_or_hex(std::string_view word) {
+  const std::string_view digits = word.substr(word.find_first_not_of("+-") == 1 ? 1 : 0);
+  if (!digits.starts_with("0x") && !digits.starts_with("0X")) return to_number(word);
+  const std::string text(word);
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return end == text.c_str() + text.size() ? std::optional(value) : std::nullopt;
 }
 
 // Rounding to double and then to float gives the nearest float, unless the double lies halfway

@@ -100,6 +100,8 @@ class TextFile {
 
 // A number in decimal, rounded once to double; infinite where it is too large for one.
 std::optional<double> to_number(std::string_view word);
+// The same, also of a C99 hex float such as -0x1p-2.
+std::optional<double> to_number_or_hex(std::string_view word);
 // The float nearest to the decimal number `word`, of which `nearest_double` is the nearest double:
 // one rounding, not two.
 float to_float(std::string_view word, double nearest_double);

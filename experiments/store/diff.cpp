@@ -11,7 +11,6 @@
 #include <span>
 
 #include "experiments/machine/errors.hpp"
-#include "experiments/store/run_folder.hpp"
 
 namespace clipscope::experiments {
 namespace {

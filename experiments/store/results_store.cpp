@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "experiments/machine/errors.hpp"
 #include "experiments/store/database.hpp"
 
@@ -17,6 +19,11 @@ std::filesystem::path store_of(const std::filesystem::path& file_or_folder) {
 }
 
 }  // namespace
+
+std::string value_of(const RunInfo& info, const std::string& key) {
+  const auto found = std::ranges::find(info, key, &RunInfo::value_type::first);
+  return found == info.end() ? "" : found->second;
+}
 
 ResultsStore::ResultsStore(const std::filesystem::path& file_or_folder)
     : ResultsStore(open_database(store_of(file_or_folder)), store_of(file_or_folder)) {}

@@ -27,6 +27,9 @@ inline constexpr const char* kStoreFile = "results.sqlite";
 // (JSON), command: in the order in which people read them.
 using RunInfo = std::vector<std::pair<std::string, std::string>>;
 
+// The value of a key; empty if there is none.
+std::string value_of(const RunInfo& info, const std::string& key);
+
 struct StoredExperiment {
   std::string name;      // its folder
   std::string question;  // one line

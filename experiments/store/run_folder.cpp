@@ -225,11 +225,6 @@ RunInfo run_info_of(const Selection& selection) {
           {"files", files_read(selection)}};
 }
 
-std::string value_of(const RunInfo& info, const std::string& key) {
-  const auto found = std::ranges::find(info, key, &RunInfo::value_type::first);
-  return found == info.end() ? "" : found->second;
-}
-
 std::string run_command(const Selection& selection, const std::string& experiment) {
   std::string command = "clipscope run";
   if (!experiment.empty()) command += " " + experiment;

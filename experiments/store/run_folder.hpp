@@ -50,9 +50,6 @@ Selection default_run_selection();
 // All that is known when a run starts, its date included.
 RunInfo run_info_of(const Selection& selection);
 
-// The value of a key; empty if there is none.
-std::string value_of(const RunInfo& info, const std::string& key);
-
 // The command that runs the experiment with these options, quoted for a shell. An empty name: all.
 std::string run_command(const Selection& selection, const std::string& experiment);
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "tests/catch.hpp"
+#include "tests/sampled.hpp"
 #include "tests/spaces/clippers.hpp"
 
 using namespace clipscope;
@@ -136,7 +137,7 @@ TEST_CASE("promises: total clippers make no NaN and no infinite coordinate of fi
   constexpr float kSmallest = std::numeric_limits<float>::denorm_min();
   const std::array<float, 8> extremes = {0.0f,     -0.0f,     kSmallest, -kSmallest,
                                          kLargest, -kLargest, 1.0f,      -1.0f};
-  for (int n = 0; n < 20000; ++n) {
+  for (int n = 0; n < sampled(20000); ++n) {
     Corners corners = troublesome(random, n);
     if (n % 2 == 0) {
       for (auto& corner : corners) {
@@ -250,7 +251,7 @@ TEST_CASE(
 TEST_CASE("promises: watertight clippers leave the same bits on an edge from both sides") {
   std::mt19937_64 random(24);
   std::map<std::string, int> leaks;
-  for (int n = 0; n < 20000; ++n) {
+  for (int n = 0; n < sampled(20000); ++n) {
     Corners corners = troublesome(random, n % 3);
     const auto fourth = random_vertex(random, n % 3);
     if (n % 2 == 0) lay_first_edge_along_the_top(corners);

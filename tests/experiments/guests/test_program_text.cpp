@@ -69,7 +69,7 @@ TEST_CASE("program text: what is no answer is named, with its line") {
       Catch::Contains("line 2 of what it wrote, 'hello': expected a row of triangle,vertex"));
   CHECK_THAT(wrong("2,0,1,2,3,4\n"),
              Catch::Contains("there is no triangle 2; it was asked about 2"));
-  CHECK_THAT(wrong("0,1,1,2,3,4\n"), Catch::Contains("vertex 1 is out of order, expected 0"));
+  CHECK_THAT(wrong("0,1,1,2,3,4\n"), Catch::Contains("vertex '1' is out of order, expected 0"));
   CHECK_THAT(wrong("0,0,1,2,3,4\n0,0,1,2,3,4\n"), Catch::Contains("out of order, expected 1"));
   CHECK_THAT(wrong("0,0,1,2,3\n"), Catch::Contains("5 columns, expected 6"));
   CHECK_THAT(wrong("0,0,1,2,3,x\n"), Catch::Contains("'x' is not a number"));

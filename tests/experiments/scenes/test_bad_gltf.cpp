@@ -11,7 +11,7 @@
 namespace clipscope::experiments {
 namespace {
 
-std::string refusal(const std::string& name, const std::string& content) {
+std::string gltf_refusal(const std::string& name, const std::string& content) {
   const TemporaryFolder folder;
   const auto path = folder.write(name, content);
   return message_of<InputError>([&] { load_mesh(path); });
@@ -19,13 +19,15 @@ std::string refusal(const std::string& name, const std::string& content) {
 
 // The message for the sample with a part of its JSON replaced.
 std::string with(const std::string& part, const std::string& by) {
-  return refusal("a.glb", as_glb(replaced(sample_gltf_json(""), part, by), sample_gltf_buffer()));
+  return gltf_refusal("a.glb",
+                      as_glb(replaced(sample_gltf_json(""), part, by), sample_gltf_buffer()));
 }
 
 TEST_CASE("bad glTF: broken JSON is found at its byte") {
-  CHECK(contains(refusal("a.gltf", "{\"asset\":"), "a.gltf: the JSON is broken at its byte 10"));
-  CHECK(contains(refusal("a.gltf", "[1]"), "a.gltf: the JSON is no object"));
-  CHECK(contains(refusal("a.gltf", "\xff\xff"), "a.gltf: the JSON is broken"));
+  CHECK(
+      contains(gltf_refusal("a.gltf", "{\"asset\":"), "a.gltf: the JSON is broken at its byte 10"));
+  CHECK(contains(gltf_refusal("a.gltf", "[1]"), "a.gltf: the JSON is no object"));
+  CHECK(contains(gltf_refusal("a.gltf", "\xff\xff"), "a.gltf: the JSON is broken"));
 }
 
 TEST_CASE("bad glTF: parts that are missing or of the wrong kind are named by their place") {
@@ -73,11 +75,11 @@ TEST_CASE("bad glTF: values that make no geometry are found at their element") {
   std::string buffer = sample_gltf_buffer();
   const float nan = NAN;
   std::memcpy(buffer.data() + 12 * 3 + 4, &nan, sizeof nan);
-  CHECK(contains(refusal("a.glb", as_glb(sample_gltf_json(""), buffer)),
+  CHECK(contains(gltf_refusal("a.glb", as_glb(sample_gltf_json(""), buffer)),
                  "accessors[0]: vertex 3: y is NaN"));
   buffer = sample_gltf_buffer();
   buffer[100 + 2 * 4] = 5;
-  CHECK(contains(refusal("a.glb", as_glb(sample_gltf_json(""), buffer)),
+  CHECK(contains(gltf_refusal("a.glb", as_glb(sample_gltf_json(""), buffer)),
                  "accessors[2]: index 4 refers to vertex 5, but there are only 5"));
   CHECK(contains(with("\"count\":18", "\"count\":17"), "has 17 corners; a multiple of 3 expected"));
   CHECK(contains(with("\"count\":5,\"type\":\"VEC2\"", "\"count\":4,\"type\":\"VEC2\""),
@@ -115,7 +117,7 @@ TEST_CASE("bad glTF: a required extension that may change the geometry is refuse
     return replaced(sample_gltf(), "{\"asset\"",
                     "{\"extensionsRequired\":[\"" + std::string(name) + "\"],\"asset\"");
   };
-  CHECK(contains(refusal("a.gltf", requiring("KHR_implicit_shapes")),
+  CHECK(contains(gltf_refusal("a.gltf", requiring("KHR_implicit_shapes")),
                  "extensionsRequired holds KHR_implicit_shapes, which is not known"));
   const TemporaryFolder folder;
   CHECK_NOTHROW(load_mesh(folder.write("a.gltf", requiring("KHR_materials_unlit"))));
@@ -146,16 +148,17 @@ TEST_CASE("bad glTF: quantized positions need the extension that allows them") {
 
 TEST_CASE("bad glTF: binary files must have the length and chunks that they announce") {
   const std::string good = sample_glb();
-  CHECK(contains(refusal("a.glb", good.substr(0, 8)), "8 bytes are too few"));
-  CHECK(contains(refusal("a.glb", good.substr(0, good.size() - 1)), "but the file has"));
-  CHECK(contains(refusal("a.glb", replaced(good, "JSON", "JSOM")),
+  CHECK(contains(gltf_refusal("a.glb", good.substr(0, 8)), "8 bytes are too few"));
+  CHECK(contains(gltf_refusal("a.glb", good.substr(0, good.size() - 1)), "but the file has"));
+  CHECK(contains(gltf_refusal("a.glb", replaced(good, "JSON", "JSOM")),
                  "the chunk at byte 12 is not of type JSON"));
   std::string version = good;
   version[4] = 1;
-  CHECK(contains(refusal("a.glb", version), "the binary glTF version is 1; 2 expected"));
+  CHECK(contains(gltf_refusal("a.glb", version), "the binary glTF version is 1; 2 expected"));
   std::string chunk = good;
   chunk[15] = 1;
-  CHECK(contains(refusal("a.glb", chunk), "the chunk at byte 12 reaches past the end of the file"));
+  CHECK(contains(gltf_refusal("a.glb", chunk),
+                 "the chunk at byte 12 reaches past the end of the file"));
 }
 
 TEST_CASE("bad glTF: buffers elsewhere must be there and long enough") {
@@ -165,9 +168,9 @@ TEST_CASE("bad glTF: buffers elsewhere must be there and long enough") {
   CHECK(contains(message(), "a.bin: no such file"));
   folder.write("a.bin", "short");
   CHECK(contains(message(), "buffers[0].byteLength is 136, but '"));
-  CHECK(contains(refusal("a.gltf", sample_gltf_json("\"uri\":\"data:;base64,AA!A\",")),
+  CHECK(contains(gltf_refusal("a.gltf", sample_gltf_json("\"uri\":\"data:;base64,AA!A\",")),
                  "buffers[0].uri is no base64 data URI"));
-  CHECK(contains(refusal("a.gltf", sample_gltf_json("")), "buffers[0].uri is missing"));
+  CHECK(contains(gltf_refusal("a.gltf", sample_gltf_json("")), "buffers[0].uri is missing"));
 }
 
 TEST_CASE("bad glTF: a scene that shows no triangles is refused") {

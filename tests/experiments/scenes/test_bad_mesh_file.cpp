@@ -15,7 +15,7 @@ namespace clipscope::experiments {
 namespace {
 
 // The message for a file with that content; it names the file.
-std::string refusal(const std::string& name, const std::string& content) {
+std::string mesh_refusal(const std::string& name, const std::string& content) {
   const TemporaryFolder folder;
   const auto path = folder.write(name, content);
   const std::string message = message_of<InputError>([&] { load_mesh(path); });
@@ -58,7 +58,7 @@ TEST_CASE("bad files: one that may not be read") {
 
 TEST_CASE("bad OBJ: each fault is found at its line") {
   const auto with = [](const char* part, const char* by) {
-    return refusal("a.obj", replaced(sample_obj(), part, by));
+    return mesh_refusal("a.obj", replaced(sample_obj(), part, by));
   };
   CHECK(contains(with("f 1/1 2/1 5/2", "f 1/1 2/1 99/2"),
                  "a.obj:13: the face refers to vertex 99, but only 5 vertices are defined"));
@@ -85,14 +85,15 @@ TEST_CASE("bad OBJ: each fault is found at its line") {
 }
 
 TEST_CASE("bad OBJ: a file of vertices alone has no triangles") {
-  CHECK(contains(refusal("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\n"), "no face ('f' line)"));
-  CHECK(contains(refusal("a.obj", "# not a mesh\n"), "no face ('f' line)"));
+  CHECK(
+      contains(mesh_refusal("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\n"), "no face ('f' line)"));
+  CHECK(contains(mesh_refusal("a.obj", "# not a mesh\n"), "no face ('f' line)"));
 }
 
 TEST_CASE(
     "bad OBJ: a word that is no keyword is named at its line, invisible characters included") {
   const auto with = [](const char* by) {
-    return refusal("a.obj", replaced(sample_obj(), "v 1 1 0", by));
+    return mesh_refusal("a.obj", replaced(sample_obj(), "v 1 1 0", by));
   };
   CHECK(contains(with("V 1 1 0"), "a.obj:6: 'V' is no OBJ keyword; v, vt, vn, f, another keyword"));
   CHECK(contains(with("\xC2\xA0v 1 1 0"), "a.obj:6: '<U+00A0 no-break space>v' is no OBJ keyword"));
@@ -105,7 +106,7 @@ TEST_CASE(
 
 TEST_CASE("bad PLY: each fault of a text file is found at its line") {
   const auto with = [](const char* part, const char* by) {
-    return refusal("a.ply", replaced(sample_ply_text(), part, by));
+    return mesh_refusal("a.ply", replaced(sample_ply_text(), part, by));
   };
   CHECK(contains(with("ply\n", "plie\n"), "a.ply:1: the file does not begin with the line 'ply'"));
   CHECK(contains(with("format ascii", "format asci"), "a.ply:2: the format is 'asci'"));
@@ -138,22 +139,24 @@ TEST_CASE("bad PLY: faults of binary files are found at their element") {
   const std::string good = sample_ply_binary(false);
   const std::size_t body = good.find("end_header\n") + 11;
   // A vertex takes 13 bytes, a face 13 as well.
-  CHECK(contains(refusal("a.ply", with_float(good, body + 13 * 3 + 4, NAN)),
+  CHECK(contains(mesh_refusal("a.ply", with_float(good, body + 13 * 3 + 4, NAN)),
                  "a.ply: vertex 3: y is NaN"));
-  CHECK(contains(refusal("a.ply", with_float(good, body + 13 * 3, INFINITY)),
+  CHECK(contains(mesh_refusal("a.ply", with_float(good, body + 13 * 3, INFINITY)),
                  "vertex 3: x is infinite"));
   std::string bad = good;
   bad[body + 65 + 13 * 2 + 1] = 9;
-  CHECK(contains(refusal("a.ply", bad), "a.ply: face 2: refers to vertex 9, but there are only 5"));
-  CHECK(contains(refusal("a.ply", good.substr(0, good.size() - 1)),
+  CHECK(contains(mesh_refusal("a.ply", bad),
+                 "a.ply: face 2: refers to vertex 9, but there are only 5"));
+  CHECK(contains(mesh_refusal("a.ply", good.substr(0, good.size() - 1)),
                  "a.ply: the file ends within face 5 of 6: it is truncated"));
-  CHECK(contains(refusal("a.ply", good + "x"), "1 bytes follow the last element"));
-  CHECK(contains(refusal("a.ply", replaced(good, "vertex 5", "vertex 4000000000")), "truncated"));
+  CHECK(contains(mesh_refusal("a.ply", good + "x"), "1 bytes follow the last element"));
+  CHECK(contains(mesh_refusal("a.ply", replaced(good, "vertex 5", "vertex 4000000000")),
+                 "truncated"));
 }
 
 TEST_CASE("bad STL: each fault of a text file is found at its line") {
   const auto with = [](const char* part, const char* by) {
-    return refusal("a.stl", replaced(sample_stl_text(), part, by));
+    return mesh_refusal("a.stl", replaced(sample_stl_text(), part, by));
   };
   CHECK(contains(with("vertex 1 0 0", "vertex 1 nan 0"), "a.stl:5: y of the vertex is NaN"));
   CHECK(contains(with("vertex 1 0 0", "vertex 1 0"), "a.stl:5: the vertex has 2 of 3 numbers"));
@@ -164,25 +167,26 @@ TEST_CASE("bad STL: each fault of a text file is found at its line") {
   CHECK(contains(with("endfacet", "outer loop"), "'endfacet' was expected"));
   CHECK(contains(with("facet normal", "facet"), "a.stl:2: 'facet normal <x> <y> <z>' expected"));
   CHECK(contains(with("endsolid a pyramid\n", ""), "'endsolid' is missing: it is truncated"));
-  CHECK(contains(refusal("a.stl", "solid nothing\nendsolid nothing\n"), "no triangles"));
+  CHECK(contains(mesh_refusal("a.stl", "solid nothing\nendsolid nothing\n"), "no triangles"));
 }
 
 TEST_CASE("bad PLY: vertex references must be whole numbers") {
-  CHECK(contains(refusal("a.ply", replaced(sample_ply_text(), "3 1 2 4", "3 1 2 3.5")),
+  CHECK(contains(mesh_refusal("a.ply", replaced(sample_ply_text(), "3 1 2 4", "3 1 2 3.5")),
                  "a.ply:21: face 2: refers to vertex 3.5; a whole number was expected"));
-  CHECK(contains(refusal("a.ply", replaced(sample_ply_text(), "3 1 2 4", "3.5 1 2 4")),
+  CHECK(contains(mesh_refusal("a.ply", replaced(sample_ply_text(), "3 1 2 4", "3.5 1 2 4")),
                  "a.ply:21: face 2: has a list of 3.5 values"));
 }
 
 TEST_CASE("bad STL: a binary file's size must fit its triangle count") {
   const std::string good = sample_stl_binary();
-  CHECK(contains(refusal("a.stl", good.substr(0, 300)),
+  CHECK(contains(mesh_refusal("a.stl", good.substr(0, 300)),
                  "announces 6 triangles, which take 384 bytes, but the file has 300"));
-  CHECK(contains(refusal("a.stl", good + "x"), "but the file has 385"));
-  CHECK(contains(refusal("a.stl", good.substr(0, 50)), "50 bytes are too few for an STL file"));
-  CHECK(contains(refusal("a.stl", good.substr(0, 80) + std::string(4, '\0')), "no triangles"));
+  CHECK(contains(mesh_refusal("a.stl", good + "x"), "but the file has 385"));
+  CHECK(
+      contains(mesh_refusal("a.stl", good.substr(0, 50)), "50 bytes are too few for an STL file"));
+  CHECK(contains(mesh_refusal("a.stl", good.substr(0, 80) + std::string(4, '\0')), "no triangles"));
   // Triangle 2 begins at byte 84 + 2 * 50, its second vertex 24 bytes later.
-  CHECK(contains(refusal("a.stl", with_float(good, 84 + 100 + 24 + 8, NAN)),
+  CHECK(contains(mesh_refusal("a.stl", with_float(good, 84 + 100 + 24 + 8, NAN)),
                  "a.stl: triangle 2, vertex 1: z is NaN"));
 }
 

@@ -37,16 +37,16 @@ Mesh one_triangle(std::array<std::array<float, 3>, 3> corners) {
   return mesh;
 }
 
-struct Crossings {
+struct CrossingCounts {
   int near = 0, far = 0, sides = 0, w0 = 0;
 };
 
-Crossings count_crossings(const Mesh& mesh, const View& view) {
+CrossingCounts count_crossings(const Mesh& mesh, const View& view) {
   Scene scene;
   scene.mesh = mesh;
   std::vector<SceneTriangle> triangles(mesh.triangles.size());
   view_triangles(scene, view, 0, triangles);
-  Crossings found;
+  CrossingCounts found;
   for (const SceneTriangle& t : triangles) {
     const auto code = [&](std::size_t i) { return view_outcode(view.frustum, t[i].position); };
     const OutcodeSummary both = summarize_outcodes(ClipVolume{}, t, code);
@@ -142,7 +142,7 @@ TEST_CASE("make_views: the walk sees all from outside, then cuts sides, near, fa
   REQUIRE(views.size() == 6);
   const auto crossings = [&](int i) { return count_crossings(cube(), views[i]); };
   for (const int outside : {0, 1}) {
-    const Crossings c = crossings(outside);
+    const CrossingCounts c = crossings(outside);
     CHECK(c.near + c.far + c.sides + c.w0 == 0);
   }
   CHECK(crossings(2).sides > 0);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Files cut off at every byte and with every byte changed: no crash, and no mesh that is not sound.
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 
@@ -10,21 +8,10 @@
 #include "experiments/scenes/mesh_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/scenes/sample_files.hpp"
+#include "tests/experiments/scenes/sound_mesh.hpp"
 
 namespace clipscope::experiments {
 namespace {
-
-bool is_sound(const Mesh& mesh) {
-  const auto is_finite = [](const auto& values) {
-    return std::ranges::all_of(values, [](float x) { return std::isfinite(x); });
-  };
-  return !mesh.triangles.empty() && mesh.attributes.size() == mesh.positions.size() &&
-         std::ranges::all_of(mesh.positions, is_finite) &&
-         std::ranges::all_of(mesh.attributes, is_finite) &&
-         std::ranges::all_of(mesh.triangles, [&](const auto& t) {
-           return std::ranges::all_of(t, [&](auto i) { return i < mesh.positions.size(); });
-         });
-}
 
 // The mesh, or nothing if it was refused.
 std::optional<Mesh> try_load(const std::filesystem::path& path) {

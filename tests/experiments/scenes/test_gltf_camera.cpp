@@ -26,7 +26,7 @@ std::vector<GltfCamera> cameras_of(const std::string& json) {
   return read_gltf_cameras(folder.write("a.gltf", json));
 }
 
-std::string refusal(const std::string& part, const std::string& by) {
+std::string camera_refusal(const std::string& part, const std::string& by) {
   return message_of<InputError>([&] { cameras_of(replaced(kJson, part, by)); });
 }
 
@@ -65,16 +65,18 @@ TEST_CASE("glTF cameras: a matrix is read column by column, and a scale stays in
 TEST_CASE("glTF cameras: a file without any has none") { CHECK(cameras_of(sample_gltf()).empty()); }
 
 TEST_CASE("glTF cameras: numbers that make no volume are named by their place") {
-  CHECK(contains(refusal("\"yfov\":0.75", "\"yfov\":3.2"),
+  CHECK(contains(camera_refusal("\"yfov\":0.75", "\"yfov\":3.2"),
                  "cameras[0].perspective.yfov is 3.2; radians below pi expected"));
-  CHECK(contains(refusal("\"znear\":0.25", "\"znear\":0"), "perspective.znear is 0; a number > 0"));
-  CHECK(contains(refusal(",\"znear\":0.25", ""), "perspective.znear is missing"));
-  CHECK(contains(refusal("\"znear\":0.25", "\"znear\":0.25,\"zfar\":0.25"),
+  CHECK(contains(camera_refusal("\"znear\":0.25", "\"znear\":0"),
+                 "perspective.znear is 0; a number > 0"));
+  CHECK(contains(camera_refusal(",\"znear\":0.25", ""), "perspective.znear is missing"));
+  CHECK(contains(camera_refusal("\"znear\":0.25", "\"znear\":0.25,\"zfar\":0.25"),
                  "perspective.zfar is 0.25; more than znear, which is 0.25, expected"));
-  CHECK(contains(refusal(",\"zfar\":100", ""), "cameras[1].orthographic.zfar is missing"));
-  CHECK(contains(refusal("\"orthographic\",", "\"fisheye\","), "cameras[1].type is \"fisheye\""));
-  CHECK(contains(refusal("\"camera\":0}", "\"camera\":2}"), "refers to cameras[2]"));
-  CHECK(contains(refusal("0.7071067811865476,0,0.7071067811865476", "0,0,0"),
+  CHECK(contains(camera_refusal(",\"zfar\":100", ""), "cameras[1].orthographic.zfar is missing"));
+  CHECK(contains(camera_refusal("\"orthographic\",", "\"fisheye\","),
+                 "cameras[1].type is \"fisheye\""));
+  CHECK(contains(camera_refusal("\"camera\":0}", "\"camera\":2}"), "refers to cameras[2]"));
+  CHECK(contains(camera_refusal("0.7071067811865476,0,0.7071067811865476", "0,0,0"),
                  "nodes[0].rotation has length 0"));
 }
 

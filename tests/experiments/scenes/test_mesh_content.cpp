@@ -20,7 +20,7 @@ Mesh mesh_of(const std::string& name, const std::string& content) {
   return load_mesh(folder.write(name, content));
 }
 
-std::string refusal(const std::string& name, const std::string& content) {
+std::string content_refusal(const std::string& name, const std::string& content) {
   return message_of<InputError>([&] { mesh_of(name, content); });
 }
 
@@ -31,7 +31,7 @@ TEST_CASE("OBJ: a lost vertex is never silent") {
   const Positions expected = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   CHECK(mesh_of("a.obj", "\xEF\xBB\xBFv 0 0 0\n" + rest).positions == expected);
   for (const char* first : {"V 0 0 0\n", "\xC2\xA0v 0 0 0\n", "w 0 0 0\n"}) {
-    CHECK(contains(refusal("a.obj", first + rest), "a.obj:1: "));
+    CHECK(contains(content_refusal("a.obj", first + rest), "a.obj:1: "));
   }
 }
 
@@ -44,17 +44,18 @@ TEST_CASE("OBJ: references to normals and texture coordinates that the file neve
     CHECK(mesh.positions == plain.positions);
     CHECK(mesh.attributes == plain.attributes);
   }
-  CHECK(contains(refusal("a.obj", vertices + "f 1//-1 2//-1 3//-1\nvn 0 0 1\n"),
+  CHECK(contains(content_refusal("a.obj", vertices + "f 1//-1 2//-1 3//-1\nvn 0 0 1\n"),
                  "a.obj:4: the face refers 1 normal back, but only 0 normals are defined so far"));
 }
 
 TEST_CASE("OBJ: what is not finite is refused where a face uses it, and nowhere else") {
   const std::string start = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan nan nan\nvt 0 0\nvt nan 0\n";
   CHECK(mesh_of("a.obj", start + "f 1/1 2/1 3/1\n").positions.size() == 3);
-  CHECK(contains(refusal("a.obj", start + "f 1/1 2/1 4/1\n"), "a.obj:4: x of the vertex is NaN"));
-  CHECK(contains(refusal("a.obj", start + "f 1/1 2/1 3/2\n"),
+  CHECK(contains(content_refusal("a.obj", start + "f 1/1 2/1 4/1\n"),
+                 "a.obj:4: x of the vertex is NaN"));
+  CHECK(contains(content_refusal("a.obj", start + "f 1/1 2/1 3/2\n"),
                  "a.obj:6: u of the texture coordinate is NaN"));
-  CHECK(contains(refusal("a.obj", start + "vn inf 0 0\nf 1//1 2//1 3//1\n"),
+  CHECK(contains(content_refusal("a.obj", start + "vn inf 0 0\nf 1//1 2//1 3//1\n"),
                  "a.obj:7: the normal's length is infinite"));
 }
 
@@ -159,7 +160,7 @@ TEST_CASE("PLY: vertices that no face uses may have no place, as organised point
   const std::string more = replaced(replaced(text, "element vertex 5", "element vertex 6"),
                                     "4 0 1 2 3\n", "nan nan nan nan nan nan\n4 0 1 2 3\n");
   CHECK(mesh_of("a.ply", more).positions.size() == 5);
-  CHECK(contains(refusal("a.ply", replaced(more, "3 1 2 4", "3 1 2 5")),
+  CHECK(contains(content_refusal("a.ply", replaced(more, "3 1 2 4", "3 1 2 5")),
                  "a.ply:19: vertex 5: x is NaN"));
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<double, 16> kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
-glm::dvec3 transformed(const glm::dmat4& m, const glm::dvec3& p) {
+glm::dvec3 moved(const glm::dmat4& m, const glm::dvec3& p) {
   return glm::dvec3(m * glm::dvec4(p, 1));
 }
 
@@ -31,12 +31,12 @@ TEST_CASE("pose: world from camera by rows or by columns puts the eye at the ori
   CameraOptions options;
   options.pose = kIdentity;
   (*options.pose)[3] = 7;  // x of the eye
-  CHECK(transformed(make_views(triangle(), options).front().view_from_world, {7, 0, -2}) ==
+  CHECK(moved(make_views(triangle(), options).front().view_from_world, {7, 0, -2}) ==
         glm::dvec3(0, 0, -2));
   options.pose = kIdentity;
   (*options.pose)[12] = 7;
   options.by_columns = true;
-  CHECK(transformed(make_views(triangle(), options).front().view_from_world, {7, 0, -2}) ==
+  CHECK(moved(make_views(triangle(), options).front().view_from_world, {7, 0, -2}) ==
         glm::dvec3(0, 0, -2));
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("pose: axes of OpenCV look down +z with y down") {
   CameraOptions options;
   options.pose = kIdentity;
   options.axes = CameraAxes::cv;
-  CHECK(transformed(make_views(triangle(), options).front().view_from_world, {1, 2, 5}) ==
+  CHECK(moved(make_views(triangle(), options).front().view_from_world, {1, 2, 5}) ==
         glm::dvec3(1, -2, -5));
 }
 
@@ -53,7 +53,7 @@ TEST_CASE("pose: a quaternion of any length turns the camera about the eye") {
   options.eye = glm::dvec3(0, 0, 4);
   options.orientation = {0, 2, 0, 2};  // a quarter turn about y: it looks down -x
   const glm::dvec3 ahead =
-      transformed(make_views(triangle(), options).front().view_from_world, {-3, 1, 4});
+      moved(make_views(triangle(), options).front().view_from_world, {-3, 1, 4});
   CHECK(glm::length(ahead - glm::dvec3(0, 1, -3)) < 4e-15);
 }
 
@@ -122,8 +122,7 @@ TEST_CASE("matrix: a view takes it as given, of the world unless the camera stan
   CHECK(world.view_from_world == glm::dmat4(1));
   CHECK(world.label == "matrix as given");
   options.eye = glm::dvec3(0, 0, 4);
-  CHECK(transformed(make_views(triangle(), options).front().view_from_world, {0, 0, 4}) ==
-        glm::dvec3(0));
+  CHECK(moved(make_views(triangle(), options).front().view_from_world, {0, 0, 4}) == glm::dvec3(0));
   options.near = 1.0;
   CHECK(contains(message_of<UsageError>([&] { make_views(triangle(), options); }),
                  "--matrix: it does not go together with --near"));

@@ -118,11 +118,6 @@ std::string words_for(const std::array<Spoken, N>& known, std::string_view name)
   return spoken == known.end() ? in_words(name) : std::string(spoken->words);
 }
 
-bool is_guest(std::string_view clipper) {
-  return std::ranges::any_of(
-      all_contestants(), [&](const Contestant& c) { return c.is_guest && c.clipper == clipper; });
-}
-
 bool has_one_scalar(std::string_view clipper) {
   std::set<std::string_view> scalars;
   for (const Contestant& c : all_contestants()) {
@@ -132,6 +127,11 @@ bool has_one_scalar(std::string_view clipper) {
 }
 
 }  // namespace
+
+bool is_guest(std::string_view clipper) {
+  return std::ranges::any_of(
+      all_contestants(), [&](const Contestant& c) { return c.is_guest && c.clipper == clipper; });
+}
 
 std::string spoken_clipper(std::string_view clipper) {
   const auto spoken = std::ranges::find(kClippers, clipper, &Spoken::name);

@@ -12,6 +12,9 @@
 
 namespace clipscope::experiments {
 
+// Whether a clipper of that name is a guest of this run.
+bool is_guest(std::string_view clipper);
+
 // "clip space" for homogeneous/sutherland_hodgman, "Cohen-Sutherland in the window" for
 // window/cohen_sutherland; "all planes in clip space" for an unknown homogeneous/all_planes; a
 // guest's own name.

@@ -9,13 +9,15 @@
 #include <cmath>
 #include <limits>
 
+#include "experiments/contestants/spoken.hpp"
+
 namespace clipscope::experiments::frontier {
 namespace {
 
 struct PlottedPoint {
   std::string name;
   double ns, error;
-  bool on_frontier;
+  bool on_frontier, is_guest;
 };
 
 // Without the folder, methods by their initials where they are well known.
@@ -41,10 +43,10 @@ std::vector<PlottedPoint> plotted_points(const std::vector<Row>& rows, const Plo
     const std::optional<double> error = row.error(of.measure);
     if (!row.timing || !error || !row.is_main()) continue;
     const bool on_frontier = row.place(of.measure).standing == Standing::frontier;
-    const bool named = of.contract != Contract::full || on_frontier ||
+    const bool named = of.contract != Contract::full || on_frontier || is_guest(row.clipper) ||
                        is_named_though_dominated(row.clipper, row.scalar);
     points.push_back({named ? short_name(row.clipper) + " " + row.scalar : "",
-                      row.timing->ns.median, *error, on_frontier});
+                      row.timing->ns.median, *error, on_frontier, is_guest(row.clipper)});
   }
   std::ranges::stable_sort(points, {},
                            [](const PlottedPoint& p) { return std::pair(p.ns, p.error); });
@@ -97,14 +99,16 @@ Plot frontier_plot(const std::vector<Row>& rows, const PlottedFrontier& of) {
   const double floor = floor_beneath(points);
   Series line{.name = "not dominated"};
   Series ties{.name = "as accurate, and not measurably slower", .marks = Marks::points};
+  Series guests{.name = "brought by you", .marks = Marks::points};
   Series dominated{.name = "dominated", .marks = Marks::points, .muted = true};
   double least = std::numeric_limits<double>::infinity();
   for (const PlottedPoint& p : points) {
     const double error = p.error > 0 ? p.error : floor;
+    if (p.is_guest) add_point(guests, p, error, true);  // over the point that it is anyway
     if (!p.on_frontier) {
-      add_point(dominated, p, error, true);
+      add_point(dominated, p, error, !p.is_guest);
     } else if (p.error < least) {
-      add_point(line, p, error, true);
+      add_point(line, p, error, !p.is_guest);
       least = p.error;
     } else {
       add_point(ties, p, error, false);
@@ -124,7 +128,9 @@ Plot frontier_plot(const std::vector<Row>& rows, const PlottedFrontier& of) {
       .y = {.label = kErrorLabels[static_cast<std::size_t>(of.measure)], .logarithmic = true},
       .series = {dominated, line}};
   if (!exact.x.empty()) plot.series.insert(plot.series.begin(), exact);
-  if (!ties.x.empty()) plot.series.push_back(ties);
+  for (const Series& series : {ties, guests}) {
+    if (!series.x.empty()) plot.series.push_back(series);
+  }
   return plot;
 }
 

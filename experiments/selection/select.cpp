@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <string>
 
+#include "experiments/contestants/spoken.hpp"
 #include "experiments/guests/seeded.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/machine/warning.hpp"
@@ -48,11 +49,6 @@ void check_scalar(std::string_view scalar) {
     throw UsageError(fmt::format("--scalar: no scalar is called '{}'; there are: {}", scalar,
                                  fmt::join(names, ", ")));
   }
-}
-
-bool is_guest(std::string_view clipper) {
-  return std::ranges::any_of(
-      all_contestants(), [&](const Contestant& c) { return c.is_guest && c.clipper == clipper; });
 }
 
 // Those that are not there yet, in those of the scalars that they compute in.

@@ -35,7 +35,7 @@ struct PluginRow {
     return std::tuple(column("mix", &R::mix), contestant_columns(&R::clipper, &R::scalar),
                       column("way", "call", &R::way), column("triangles", &R::triangles),
                       interval("ns_per_triangle", "ns", "ns/tri", &R::ns),
-                      interval("time_ratio", "ratio", "time / direct", &R::ratio));
+                      interval("ratio_to_direct", "ratio", "time / direct", &R::ratio));
   }
 };
 

@@ -12,10 +12,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <cstring>
 #include <new>
+#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -36,13 +39,28 @@ constexpr double kAwakeUs = 10, kHostAwakeUs = 60, kTimedAwakeUs = 5000;
 
 std::string error_text(int error) { return std::strerror(error); }
 
-// Sends what it prints to standard error, and lets it read nothing.
+// The first two lines that say something, as the end of a reason; empty if there are none.
+std::string last_words(const std::string& printed) {
+  constexpr std::size_t kMostBytes = 240;
+  std::string words;
+  std::istringstream lines(printed);
+  int found = 0;
+  for (std::string line; found < 2 && std::getline(lines, line);) {
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos) continue;
+    words += (found++ == 0 ? ", printing: " : " ") + line.substr(first);
+  }
+  return words.substr(0, kMostBytes);
+}
+
+// Lets it print to the pipe, and read nothing.
 class FileActions {
  public:
-  explicit FileActions(int socket) {
+  FileActions(int socket, int pipe) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions_, STDERR_FILENO, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, pipe, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, pipe, STDERR_FILENO);
     posix_spawn_file_actions_adddup2(&actions_, socket, plugin::kSocket);
   }
   ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
@@ -121,6 +139,9 @@ PluginHost::PluginHost(const std::string& library, const std::vector<int>& proce
 PluginHost::~PluginHost() {
   if (process_ > 0) end();
   if (socket_ >= 0) close(socket_);
+  if (printed_ < 0) return;
+  pass_on_printed();
+  close(printed_);
 }
 
 void PluginHost::start(const std::string& library) {
@@ -130,17 +151,41 @@ void PluginHost::start(const std::string& library) {
     throw GuestError(fmt::format("no socket for a plug-in: {}", error_text(errno)));
   }
   socket_ = ends[0];
+  // What does not fit is lost, so that who prints for ever waits for nobody and fills nothing.
+  int pipe[2];
+  if (pipe2(pipe, O_CLOEXEC | O_NONBLOCK) != 0) {
+    close(ends[1]);
+    throw GuestError(fmt::format("no pipe for a plug-in: {}", error_text(errno)));
+  }
+  printed_ = pipe[0];
   char* const arguments[] = {const_cast<char*>(host.c_str()), const_cast<char*>(library.c_str()),
                              nullptr};
+  const FileActions actions(ends[1], pipe[1]);
   const int error =
-      posix_spawn(&process_, host.c_str(), FileActions(ends[1]).get(), nullptr, arguments, environ);
+      posix_spawn(&process_, host.c_str(), actions.get(), nullptr, arguments, environ);
   close(ends[1]);
+  close(pipe[1]);
   if (error == 0) return;
   process_ = -1;
   throw GuestError(fmt::format("{}: does not start: {}", host, error_text(error)));
 }
 
+std::string PluginHost::read_printed() const {
+  std::string text;
+  std::array<char, 4096> block;
+  for (ssize_t n; (n = read(printed_, block.data(), block.size())) > 0;) {
+    text.append(block.data(), static_cast<std::size_t>(n));
+  }
+  return text;
+}
+
+void PluginHost::pass_on_printed() const {
+  const std::string text = read_printed();
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
 std::optional<Failure> PluginHost::ask(plugin::Order order, double seconds) {
+  if (!measured_) pass_on_printed();
   control().order = order;
   plugin::pass(control().asked, ++orders_);
   if (is_answered(seconds)) {
@@ -150,7 +195,8 @@ std::optional<Failure> PluginHost::ask(plugin::Order order, double seconds) {
   }
   if (!has_ended()) {
     end();
-    return Failure{Failure::Kind::timed_out, fmt::format("does not end within {:g} s", seconds)};
+    return Failure{Failure::Kind::timed_out, fmt::format("does not end within {:g} s{}", seconds,
+                                                         last_words(read_printed()))};
   }
   control().fault = plugin::Fault::none;
   return failure_of_end();
@@ -246,7 +292,9 @@ void PluginHost::end() {
 }
 
 Failure PluginHost::failure_of_end() const {
-  return experiments::failure_of_end(control(), status_);
+  Failure failure = experiments::failure_of_end(control(), status_);
+  failure.reason += last_words(read_printed());
+  return failure;
 }
 
 }  // namespace clipscope::experiments

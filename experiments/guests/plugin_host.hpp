@@ -79,6 +79,10 @@ class PluginHost {
   void stay_awake(double program_us, double host_us);
   bool wake(int scheduling_class, int priority);
   bool is_answered(double seconds);
+  // What the plug-in has printed and nobody has read: to standard error, unless it is the last
+  // thing that it did.
+  std::string read_printed() const;
+  void pass_on_printed() const;
   bool has_ended();
   void end();
   Failure failure_of_end() const;
@@ -86,7 +90,7 @@ class PluginHost {
   std::string library_;
   SharedArea shared_;
   pid_t process_ = -1;
-  int socket_ = -1, status_ = 0;
+  int socket_ = -1, printed_ = -1, status_ = 0;
   std::vector<int> processors_;
   std::optional<int> measured_ = {};  // the processor, under the clock
   std::uint32_t orders_ = 0;

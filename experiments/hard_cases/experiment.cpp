@@ -31,7 +31,7 @@ std::vector<std::string> binary_formats(std::vector<std::string> scalars) {
 
 CaseSet case_set(Primitive primitive, const Selection& selection,
                  const std::vector<std::string>& scalars) {
-  CaseSet set{primitive, {}, case_contestants(primitive, selection.clipper, scalars)};
+  CaseSet set{primitive, {}, case_contestants(primitive, selection, scalars)};
   for (const HardCase& c : builtin_catalogue()) {
     if (c.primitive == primitive) set.cases.push_back(&c);
   }

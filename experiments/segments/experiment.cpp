@@ -16,9 +16,9 @@ namespace clipscope::experiments::segments {
 namespace {
 
 // None where the pattern means triangles only.
-Contestants contestants_of(const std::string& clippers, const std::vector<std::string>& scalars) {
-  const Contestants contestants = case_contestants(Primitive::segment, clippers, scalars);
-  if (contestants.empty()) select_contestants(clippers, scalars);
+Contestants contestants_of(const Selection& selection, const std::vector<std::string>& scalars) {
+  const Contestants contestants = case_contestants(Primitive::segment, selection, scalars);
+  if (contestants.empty()) select_contestants(selection.clipper, scalars);
   return contestants;
 }
 
@@ -71,9 +71,8 @@ struct Mixes {
 
 Mixes measure_mixes(const ExperimentContext& context) {
   const Selection& selection = context.selection();
-  const Contestants contestants = contestants_of(selection.clipper, timed_scalars(selection));
-  const Contestants counted =
-      contestants_of(selection.clipper, {std::string(kFormat<Counted>.name)});
+  const Contestants contestants = contestants_of(selection, timed_scalars(selection));
+  const Contestants counted = contestants_of(selection, {std::string(kFormat<Counted>.name)});
   const std::size_t size = selection.quick ? 2000 : 20000;    // segments of a mix
   const std::size_t judged = selection.sample_or(600, 8000);  // of these, in each view
   Mixes tables;

@@ -105,9 +105,17 @@ bool has_bad_position(const HardCase& hard_case) {
 
 Contestants case_contestants(Primitive primitive, std::string_view clipper_pattern,
                              const std::vector<std::string>& scalars) {
-  const int vertices = static_cast<int>(vertices_of(primitive));
+  Selection selection;
+  selection.clipper = clipper_pattern;
+  return case_contestants(primitive, selection, scalars);
+}
+
+Contestants case_contestants(Primitive primitive, const Selection& selection,
+                             const std::vector<std::string>& scalars) {
+  Selection chosen = selection;
+  if (primitive == Primitive::polygon) chosen.clipper = Selection{}.clipper;
   try {
-    return select_contestants(vertices > 0 ? clipper_pattern : "*", scalars, vertices);
+    return select_contestants(chosen, scalars, static_cast<int>(vertices_of(primitive)));
   } catch (const UsageError&) {
     // The pattern names clippers of another primitive; what is wrong altogether was found before.
     return {};

@@ -16,12 +16,17 @@
 #include "experiments/judge/compare.hpp"
 #include "experiments/judge/promise.hpp"
 #include "experiments/machine/progress.hpp"
+#include "experiments/selection/select.hpp"
 
 namespace clipscope::experiments {
 
 // The contestants for the primitive that match the pattern and the scalars (see
 // select_contestants); none where the pattern names clippers of another primitive.
 Contestants case_contestants(Primitive primitive, std::string_view clipper_pattern,
+                             const std::vector<std::string>& scalars);
+
+// The same of what the user selected, guests included.
+Contestants case_contestants(Primitive primitive, const Selection& selection,
                              const std::vector<std::string>& scalars);
 
 bool takes(const Contestant& contestant, const HardCase& hard_case);

@@ -26,7 +26,7 @@ bool is_about_w(const HardCase& c) {
 
 void judge_catalogue(const Selection& selection, TableOf<CasesRow>& table) {
   for (const Contestant* contestant :
-       case_contestants(Primitive::triangle, selection.clipper, selection.scalars)) {
+       case_contestants(Primitive::triangle, selection, selection.scalars)) {
     CasesRow row{std::string(contestant->clipper), std::string(contestant->scalar())};
     for (const HardCase& c : builtin_catalogue()) {
       if (!is_about_w(c)) continue;

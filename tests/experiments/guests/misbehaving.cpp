@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
@@ -54,6 +55,11 @@ void misbehave(const Call& call, std::size_t i, std::size_t at) {
   const std::size_t all = call.answer.capacity * call.answer.stride;
   if (is("crash")) *const_cast<volatile int*>(static_cast<int*>(nullptr)) = 1;
   if (is("abort")) std::abort();
+  if (is("last_words")) {
+    std::puts("\nmine: an invariant is broken");
+    std::fflush(stdout);
+    std::abort();
+  }
   if (is("exit")) _exit(3);
   if (is("loop")) {
     while (never == 0) {

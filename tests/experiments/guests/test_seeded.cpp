@@ -22,7 +22,7 @@ const Contestant* find(std::string_view clipper, const Format& format) {
 const std::vector<double> kBeyondLeftAndRight = {-3, 0, 0, 2, .5, 0, 0, 1, 0, .5, 0, 1,
                                                  3,  0, 0, 2, .5, 0, 0, 1, 0, .5, 0, 1};
 
-Batch clip_space(const std::vector<double>& numbers, int attributes = 0) {
+Batch seeded_batch(const std::vector<double>& numbers, int attributes = 0) {
   return {.space = Space::clip, .attributes = attributes, .numbers = std::span(numbers)};
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("seeded: a bug shows where it is, and elsewhere each number is the nea
   for (const char* scalar : {"float", "double", "exact"}) {
     add_if_seeded("seeded/skips_right", scalar);
   }
-  const Batch batch = clip_space(kBeyondLeftAndRight);
+  const Batch batch = seeded_batch(kBeyondLeftAndRight);
   for (const Format* format : {&kFormat<float>, &kFormat<double>, &kFormat<Exact>}) {
     const Contestant* const guest = find("seeded/skips_right", *format);
     REQUIRE(guest != nullptr);
@@ -74,7 +74,7 @@ TEST_CASE("seeded: a bug shows where it is, and elsewhere each number is the nea
 
 TEST_CASE("seeded: planes of the user clip") {
   add_if_seeded("seeded/skips_left", "exact");
-  Batch batch = clip_space(kBeyondLeftAndRight);
+  Batch batch = seeded_batch(kBeyondLeftAndRight);
   batch.planes = {{0, 1, 0, -0.25}};  // y >= w / 4
   const Answers answers = clip(*find("seeded/skips_left", kFormat<Exact>), batch);
   REQUIRE(answers[1].size() >= 3);

@@ -10,6 +10,7 @@
 #include "experiments/catalogue/hard_case.hpp"
 #include "experiments/contestants/contestant.hpp"
 #include "experiments/judge/compare.hpp"
+#include "experiments/judge/questions.hpp"
 
 namespace clipscope::experiments {
 
@@ -18,12 +19,18 @@ namespace clipscope::experiments {
 // are asked in as few batches as their volumes allow.
 using Failing = std::function<std::vector<double>(std::span<const HardCase>)>;
 
-// What one answer makes of the class: the comparison with the exact answer, the answer, what it was
-// clipped against.
-using ExcessOf = std::function<double(const Comparison&, const PolygonView&, const ClipVolume&)>;
+// What the answer to one case makes of the class, and its comparison with the exact answer.
+using ExcessOf = std::function<double(const HardCase&, const PolygonView&, const Comparison&)>;
 
 // The contestant outlives the function, here and below.
 Failing failing_by(const Contestant& contestant, ExcessOf excess_of);
+
+// The answer breaks what the question asks, in its domain.
+Failing failing_at(const Contestant& contestant, Question question);
+
+// The same, but of cases alone that the bounds of `covers` speak of (Examined::in_domain): the
+// numbers stay in the format, and the visible part keeps away from the eye.
+Failing failing_in_domain(const Contestant& contestant, Failing failing);
 
 // The outcome is that one. Threshold of `visible`: 1/256 px; the others have none.
 Failing failing_with(const Contestant& contestant, Outcome outcome);

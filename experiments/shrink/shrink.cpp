@@ -119,8 +119,17 @@ Shrunk shrink(const HardCase& hard_case, const Failing& failing, const ShrinkLim
   Shrinker shrinker(failing, limits, shrunk);
   while (shrunk.excess > 0 && shrinker.is_allowed() && shrinker.make_round()) {
   }
-  shrunk.hard_case.expected = exact_outcome(shrunk.hard_case);
+  // A class may speak of more than one primitive.
+  const bool is_one = shrunk.hard_case.vertices.size() == vertices_of(shrunk.hard_case.primitive);
+  if (is_one) shrunk.hard_case.expected = exact_outcome(shrunk.hard_case);
   return shrunk;
+}
+
+HardCase shrink(const Contestant& contestant, const HardCase& hard_case, Question question) {
+  const bool is_costly = contestant.is_guest && question == Question::total;
+  return shrink(hard_case, failing_at(contestant, question),
+                is_costly ? kCostlyFailures : ShrinkLimits{})
+      .hard_case;
 }
 
 }  // namespace clipscope::experiments

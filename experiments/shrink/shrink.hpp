@@ -37,7 +37,13 @@ struct Shrunk {
   std::size_t rounds = 0;
 };
 
+// A case may have more vertices than its primitive if the class knows what they stand for; it has
+// no expected outcome then.
 // Pre-condition: the case is finite and no polygon, and its numbers are floats.
 Shrunk shrink(const HardCase& hard_case, const Failing& failing, const ShrinkLimits& limits = {});
+
+// The smallest on which the contestant breaks what the question asks. A case without an answer ends
+// a guest's process: of such few are asked.
+HardCase shrink(const Contestant& contestant, const HardCase& hard_case, Question question);
 
 }  // namespace clipscope::experiments

@@ -22,7 +22,7 @@ struct Class {
   Outcome outcome = Outcome::exact;  // where that is a failure; else numbers are off
   bool is_of_attributes = false;
 
-  double operator()(const Comparison& c, const PolygonView&, const ClipVolume&) const {
+  double operator()(const HardCase&, const PolygonView&, const Comparison& c) const {
     if (is_failure(outcome)) {
       return c.visible && c.outcome == outcome ? std::numeric_limits<double>::infinity() : 0;
     }

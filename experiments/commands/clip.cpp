@@ -226,9 +226,7 @@ int clip_text(ClipOptions options) {
   check_viewport(options);
   add_scissor_planes(options);
   const std::vector<std::string_view> guests = load_guests(options.guests);
-  if (options.clipper.empty()) {
-    options.clipper = guests.empty() ? default_clipper(options.primitive) : guests.front();
-  }
+  options.clipper = given_clipper(options.clipper, guests, default_clipper(options.primitive));
   const Contestant& contestant = chosen_clipper(options);
   const Batch batch = batch_without_primitives(options, contestant);
   check_takes(contestant, batch);

@@ -14,6 +14,7 @@
 #include "experiments/draw/vector_page.hpp"
 #include "experiments/hard_cases/case_picture.hpp"
 #include "experiments/scenes/scene.hpp"
+#include "experiments/survey/case_batch.hpp"
 #include "experiments/survey/draw_scene.hpp"
 #include "experiments/survey/verdicts.hpp"
 #include "reference/convex.hpp"
@@ -48,23 +49,6 @@ HardCase case_from_catalogue(const ExplainOptions& options) {
   }
   if (!options.corpus) return find_case(builtin_catalogue(), options.hard_case);
   return find_case(load_catalogue(*options.corpus), options.hard_case);
-}
-
-// The first primitive of the batch.
-HardCase case_of(const Batch& batch, const ExplainOptions& options, const std::string& name,
-                 const std::string& why) {
-  HardCase r;
-  r.name = name;
-  r.why = why;
-  r.primitive = options.primitive;
-  r.space = batch.space;
-  r.frustum = batch.frustum;
-  r.matrix = batch.matrix;
-  r.volume = batch.volume;
-  r.planes = batch.planes;
-  r.vertices = input_vertices(batch, 0);
-  r.attribute_count = batch.attributes;
-  return r;
 }
 
 const Format& format_of(const ExplainOptions& options) {
@@ -114,8 +98,9 @@ HardCase case_from_scene(const ExplainOptions& options) {
   Batch batch = takes_doubles(format_of(options), scene) ? batch_of(view, in_double)
                                                          : batch_of(view, in_float);
   set_volume(options.volume, format_of(options), batch);
-  return case_of(batch, options, fmt::format("triangle {} of {}", options.triangle, scene.name),
-                 fmt::format("seen from {}", view.label));
+  HardCase r = case_of(batch, 0, fmt::format("triangle {} of {}", options.triangle, scene.name));
+  r.why = fmt::format("seen from {}", view.label);
+  return r;
 }
 
 // Errors: InputError.
@@ -142,7 +127,7 @@ HardCase case_from_text(const ExplainOptions& options) {
   batch.numbers = std::span<const double>(chosen.values);
   const std::size_t end = chosen.values.size() / batch.stride();
   batch.ends = std::span(&end, 1);
-  const HardCase hard_case = case_of(batch, options, chosen.place, "");
+  const HardCase hard_case = case_of(batch, 0, chosen.place);
   check_convex(hard_case);
   return hard_case;
 }
@@ -154,11 +139,8 @@ HardCase chosen_case(const ExplainOptions& options) {
 
 // Errors: UsageError if there is no such clipper or scalar, or if it does not take such input.
 const Contestant& chosen_contestant(const ExplainOptions& options, const HardCase& hard_case) {
-  std::string_view wanted = options.selection.clipper;
-  const std::vector<std::string_view> guests = load_guests(options.guests);
-  if (wanted.empty()) {
-    wanted = guests.empty() ? default_clipper(hard_case.primitive) : guests.front();
-  }
+  const std::string wanted = given_clipper(options.selection.clipper, load_guests(options.guests),
+                                           default_clipper(hard_case.primitive));
   const Contestant& contestant = find_contestant(
       wanted, options.text.scalar, static_cast<int>(vertices_of(hard_case.primitive)));
   check_takes(contestant, {.space = hard_case.space,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/commands/guest_options.hpp"
 
+#include <fmt/ranges.h>
+
 #include "experiments/commands/options.hpp"
 #include "experiments/guests/program.hpp"
 #include "experiments/selection/replay_text.hpp"
@@ -22,7 +24,8 @@ void add_program_options(CLI::App& command, GuestOptions& options) {
 }
 
 ProgramOptions program_of(const std::string& command, const GuestOptions& options) {
-  ProgramOptions program{.command = command, .name = options.name, .seconds = options.seconds};
+  ProgramOptions program{.command = command, .name = options.name};
+  program.seconds = options.seconds.value_or(program.seconds);
   set_takes(options.takes, program);
   if (!options.space.empty()) set_takes({options.space}, program);
   return program;
@@ -36,7 +39,8 @@ void add_guest_options(CLI::App& command, GuestOptions& options) {
       "A clipper of yours: a shared library with the interface of clipscope_plugin.h; may be given several times")
       ->allow_extra_args(false);
   add_option(command, "--time-limit", options.seconds, "SECONDS",
-             fmt::format("What a plug-in or program may take for a batch [{:g}]", options.seconds))
+             fmt::format("What a plug-in or program may take for a batch [{:g}, {:g}]",
+                         kPluginSeconds, ProgramOptions{}.seconds))
       ->check(CLI::Range(0.01, 86400.0));
   add_program_options(command, options);
 }
@@ -51,7 +55,7 @@ void add_guest_space_option(CLI::App& command, GuestOptions& options) {
 std::vector<std::string_view> load_guests(const GuestOptions& options) {
   std::vector<std::string_view> names;
   for (const std::string& library : options.plugins) {
-    names.push_back(add_plugin(library, options.seconds));
+    names.push_back(add_plugin(library, options.seconds.value_or(kPluginSeconds)));
   }
   if (!options.name.empty() && options.programs.size() != 1) {
     usage_error("--name: '{}' given for {} programs; expected one --program", options.name,
@@ -86,10 +90,17 @@ void check_takes_scenes(const Selection& selection) {
   }
 }
 
-std::string given_clipper(const std::string& clipper, const std::vector<std::string_view>& guests) {
+std::string given_clipper(const std::string& clipper, const std::vector<std::string_view>& guests,
+                          std::string_view usual) {
   if (!clipper.empty()) return clipper;
-  if (guests.empty()) usage_error("--clipper: a name is missing, or --plugin or --program");
-  return std::string(guests.front());
+  if (guests.size() > 1) {
+    usage_error("--clipper: {} were brought, and this command takes one; expected the name of one",
+                fmt::join(guests, ", "));
+  }
+  if (guests.empty() && usual.empty()) {
+    usage_error("--clipper: a name is missing, or --plugin or --program");
+  }
+  return std::string(guests.empty() ? usual : guests.front());
 }
 
 }  // namespace clipscope::experiments::commands

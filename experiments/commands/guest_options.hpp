@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,10 +16,10 @@ namespace clipscope::experiments::commands {
 
 struct GuestOptions {
   std::vector<std::string> plugins, programs;
-  std::vector<std::string> takes;   // what the programs take
-  std::string space;                // of these; empty: clip, or as `takes` says
-  std::string name;                 // of the only program
-  double seconds = kPluginSeconds;  // that a batch may take
+  std::vector<std::string> takes;  // what the programs take
+  std::string space;               // of these; empty: clip, or as `takes` says
+  std::string name;                // of the only program
+  std::optional<double> seconds;   // that a batch may take
 };
 
 // --plugin LIB and --program COMMAND, as often as wanted, and what these need: --time-limit,
@@ -35,8 +36,9 @@ void load_guests(const GuestOptions& options, Selection& selection);
 // Errors: UsageError if a guest that clips triangles does not take those of scenes.
 void check_takes_scenes(const Selection& selection);
 
-// The clipper of a command that takes one: the one given or else the first guest. Errors:
-// UsageError if there is neither.
-std::string given_clipper(const std::string& clipper, const std::vector<std::string_view>& guests);
+// The clipper of a command that takes one: the one named, or else the only guest, or else the usual
+// one. Errors: UsageError if several guests were brought and none is named, or there is nothing.
+std::string given_clipper(const std::string& clipper, const std::vector<std::string_view>& guests,
+                          std::string_view usual = "");
 
 }  // namespace clipscope::experiments::commands

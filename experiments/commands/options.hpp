@@ -156,6 +156,8 @@ struct VolumeOptions {
 };
 
 void add_volume_options(CLI::App& command, VolumeOptions& options);
+// The same without --plane.
+void add_boundary_options(CLI::App& command, VolumeOptions& options);
 void add_primitive_option(CLI::App& command, Primitive& primitive);
 
 // Pixels of a viewport from its lower left corner on, y upwards.

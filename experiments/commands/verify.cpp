@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// clipscope verify: does a clipper keep its promise on every triangle of scenes, of the catalogue
-// of hard cases, or of both?
+// clipscope verify: which promises does a clipper keep on every triangle of scenes, of the
+// catalogue of hard cases, of random ones or of a file?
 #include <fmt/ranges.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/commands/guest_options.hpp"
 #include "experiments/commands/options.hpp"
-#include "experiments/judge/compare.hpp"
-#include "experiments/judge/promise.hpp"
-#include "experiments/judge/questions.hpp"
-#include "experiments/machine/progress.hpp"
-#include "experiments/scenes/text_file.hpp"
-#include "experiments/selection/replay_text.hpp"
-#include "experiments/survey/verdicts.hpp"
-#include "experiments/table/hex_float.hpp"
+#include "experiments/commands/verification.hpp"
+#include "experiments/commands/verify_sources.hpp"
+#include "experiments/machine/files.hpp"
 
 namespace clipscope::experiments::commands {
 namespace {
@@ -27,268 +20,131 @@ namespace {
 struct VerifyOptions {
   Selection selection;
   GuestOptions guests;
-  std::string scalar = "float";
-  bool catalogue = false;
-  std::optional<std::string> corpus;
+  std::string clipper, scalar;  // empty: not given
+  std::vector<std::string> promises;
+  VerifySources sources;
+  bool shrinks = true;
+  std::optional<std::string> junit, corpus_out;
 };
 
-struct Offender {
-  PromiseCheck check;
-  std::string scene, view;
-  std::size_t triangle = 0;
-  std::string input, output;  // hex floats
-};
-
-struct Verified {
-  std::size_t triangles = 0, not_applicable = 0, outside_domain = 0, broken = 0;
-  OutcomeCounts wrong_outside{};  // answers that are wrong where the promise does not speak
-  double largest_ulps = 0;
-  std::optional<Offender> worst;
-
-  std::size_t judged() const { return triangles - not_applicable - outside_domain; }
-  bool is_kept() const { return judged() > 0 && broken == 0; }
-
-  // Whether it is the worst that is broken so far. compare() is asked what became of a triangle
-  // that the promise does not speak of.
-  template <class Compare>
-  bool add(const PromiseCheck& check, const Compare& compare) {
-    ++triangles;
-    largest_ulps = std::max(largest_ulps, check.ulps);
-    if (check.verdict == PromiseVerdict::outside_domain) {
-      ++outside_domain;
-      const Comparison comparison = compare();
-      if (comparison.visible && is_failure(comparison.outcome)) {
-        ++wrong_outside[static_cast<std::size_t>(comparison.outcome)];
-      }
-    }
-    if (check.verdict != PromiseVerdict::broken) return false;
-    ++broken;
-    return !worst || check.ulps > worst->check.ulps;
-  }
-};
-
-// A line per vertex: its first so many numbers.
-std::string hex_polygon(const PolygonView& polygon, std::size_t numbers) {
-  std::string text;
-  for (const VertexView& v : polygon) {
-    text += "   ";
-    for (std::size_t i = 0; i < numbers; ++i) text += " " + hex_float(v[i].value);
-    text += '\n';
-  }
-  return text.empty() ? "    nothing\n" : text;
+// The clipper named, or the first guest; in the scalar named, or the first that it computes in.
+const Contestant& chosen_contestant(const VerifyOptions& options) {
+  const std::string clipper = given_clipper(options.clipper, load_guests(options.guests));
+  if (!options.scalar.empty()) return find_contestant(clipper, options.scalar);
+  const bool in_float = find_in_contract(clipper, "float", Contract::full) != nullptr;
+  const bool in_double = find_in_contract(clipper, "double", Contract::full) != nullptr;
+  return find_contestant(clipper, !in_float && in_double ? "double" : "float");
 }
 
-// The triangles are those of the sample from number `first` on; they are `stride` apart.
-template <class Triangle>
-void verify_triangles(const Contestant& contestant, const std::string& scene, const View& view,
-                      const std::vector<Triangle>& triangles, std::size_t first, std::size_t stride,
-                      Verified& verified) {
-  const Batch batch = batch_of(view, triangles);
-  const PromiseChecker checker(batch);
-  const Answers answers = clip(contestant, batch);
-  std::vector<PromiseCheck> checks(triangles.size());
-  tbb::parallel_for(std::size_t{0}, checks.size(), [&](std::size_t i) {
-    checks[i] =
-        checker.check(contestant.promise, reference::input_triangle(triangles[i]), answers[i]);
-    const std::string reason = broken_bits(contestant, batch_of(view, std::span(&triangles[i], 1)));
-    if (reason.empty()) return;
-    checks[i].verdict = PromiseVerdict::broken;
-    checks[i].reason = reason;
-  });
-  for (std::size_t i = 0; i < checks.size(); ++i) {
-    const auto comparison = [&] {
-      return compare(answers[i],
-                     truth_polygon(checker.truth(), reference::input_triangle(triangles[i])));
-    };
-    if (!verified.add(checks[i], comparison)) continue;
-    const std::string input = projection_options(view) + "\n    " + hex_line(triangles[i]);
-    verified.worst = {checks[i],  scene,
-                      view.label, (first + i) * stride,
-                      input,      hex_polygon(answers[i], answers.stride())};
+// Those of --promise; nothing if it was not given.
+std::optional<Questions> named_questions(const VerifyOptions& options) {
+  if (options.promises.empty()) return std::nullopt;
+  Questions named;
+  for (const std::string& name : options.promises) {
+    if (name == "all") return Questions::all();
+    const auto names = names_of(Question{});
+    named.add(static_cast<Question>(std::ranges::find(names, name) - names.begin()));
   }
-}
-
-void verify_scene(const Contestant& contestant, const Scene& scene, std::size_t limit,
-                  Verified& verified) {
-  const Spacing spacing = spacing_of(scene, limit);
-  Progress progress(fmt::format("verify {}", scene.name), spacing.count * scene.views.size());
-  for (const View& view : scene.views) {
-    const auto verify_chunk = [&](const auto& triangles, std::size_t first) {
-      verify_triangles(contestant, scene.name, view, triangles, first, spacing.stride, verified);
-      progress.advance(triangles.size());
-    };
-    if (takes_doubles(*contestant.format, scene)) {
-      for_each_chunk<DoubleSceneTriangle>(scene, view, spacing, verify_chunk);
-    } else {
-      for_each_chunk(scene, view, spacing, verify_chunk);
-    }
-  }
-}
-
-std::string hex_case(const HardCase& c) {
-  const bool is_view = c.space == Space::view;
-  return (is_view ? frustum_options(frustum_cast<float>(c.frustum)) : "--space clip") + " " +
-         volume_options(c.volume) + "\n    " +
-         hex_line(c.vertices, is_view ? 3 : 4, c.attribute_count);
-}
-
-void verify_case(const Contestant& contestant, const HardCase& hard_case, Verified& verified) {
-  if (!takes(contestant, hard_case)) {
-    ++verified.triangles;
-    ++verified.not_applicable;
-    return;
-  }
-  const PromiseCheck check = check_case(contestant, hard_case);
-  const auto comparison = [&] {
-    return judge_case(contestant, hard_case, truth_polygon(hard_case));
-  };
-  if (!verified.add(check, comparison)) return;
-  verified.worst = {
-      check, "catalogue",         hard_case.name,
-      0,     hex_case(hard_case), hex_polygon(clip_case(contestant, hard_case)[0], 4)};
-}
-
-// Judges all triangles of the catalogue and of the families around them, in both spaces.
-void verify_catalogue(const Contestant& contestant, const std::vector<HardCase>& catalogue,
-                      Verified& verified) {
-  Progress progress("verify the catalogue", catalogue.size());
-  for (const HardCase& original : catalogue) {
-    progress.advance();
-    if (original.primitive != Primitive::triangle) continue;
-    verify_case(contestant, original, verified);
-    for (auto&& variants : {family(original), special_values(original)}) {
-      for (const HardCase& variant : variants) {
-        if (is_finite(variant)) verify_case(contestant, variant, verified);
-      }
-    }
-  }
-}
-
-nlohmann::json to_json(const Contestant& contestant, const Verified& verified) {
-  nlohmann::json json = {{"clipper", contestant.clipper},
-                         {"scalar", contestant.scalar()},
-                         {"triangles", verified.triangles},
-                         {"judged", verified.judged()},
-                         {"not_applicable", verified.not_applicable},
-                         {"outside_domain", verified.outside_domain},
-                         {"outside_domain_wrong", sum_of(verified.wrong_outside)},
-                         {"broken", verified.broken},
-                         {"kept", verified.is_kept()}};
-  json["largest_backward_error_ulp"] = std::isfinite(verified.largest_ulps)
-                                           ? nlohmann::json(verified.largest_ulps)
-                                           : nlohmann::json("inf");
-  json["promised_backward_error_ulp"] = contestant.promise.ulps;
-  if (verified.worst) {
-    const Offender& worst = *verified.worst;
-    json["worst"] = {{"scene", worst.scene},       {"view", worst.view},
-                     {"triangle", worst.triangle}, {"reason", worst.check.reason},
-                     {"input", worst.input},       {"output", worst.output}};
-  }
-  return json;
-}
-
-// "wrong answers among these: 80 (60 missing, 20 visible)".
-std::string wrong_text(const OutcomeCounts& wrong) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < wrong.size(); ++i) {
-    if (wrong[i] > 0) parts.push_back(fmt::format("{} {}", wrong[i], kOutcomeNames[i]));
-  }
-  if (parts.empty()) return "no answer among these is wrong";
-  return fmt::format("wrong answers among these: {} ({})", sum_of(wrong), fmt::join(parts, ", "));
-}
-
-// What the promise was not judged on.
-void print_unjudged(const Verified& verified) {
-  if (verified.outside_domain > 0) {
-    fmt::print("outside the promise's domain: {}; {}\n",
-               counted(verified.outside_domain, "triangle", "triangles"),
-               wrong_text(verified.wrong_outside));
-  }
-  if (verified.not_applicable > 0) {
-    fmt::print("not taken by the clipper: {}\n",
-               counted(verified.not_applicable, "triangle", "triangles"));
-  }
-}
-
-void print_worst(const Verified& verified) {
-  const Offender& worst = *verified.worst;
-  fmt::print("broken on {} triangles; the worst: scene {}, view {}, triangle {}\n  {}\n",
-             verified.broken, worst.scene, worst.view, worst.triangle, worst.check.reason);
-  fmt::print(
-      "  input (three vertices: coordinates, then attributes):\n    {}\n  output (x y z 1/w, attributes):\n{}",
-      worst.input, worst.output);
-}
-
-// The backward error in units of the promise (spaces/clipper.hpp).
-void print_error(const Promise& promise, const Format& format, double ulps) {
-  if (format.is_exact()) {
-    fmt::print("backward error: {}\n", ulps == 0 ? "none, as promised" : "some; none is promised");
-    return;
-  }
-  fmt::print("largest backward error: {:.3g} u M; at most {:.3g} u M is promised\n", ulps,
-             promise.ulps);
-  fmt::print(
-      "  u: unit roundoff of {}; M: size of the triangle's clip coordinates{}\n", format.name,
-      promise.amplification == Promise::Amplification::w_ratio ? ", times w_max / w_min" : "");
-}
-
-void print(const Contestant& contestant, const Verified& verified) {
-  fmt::print("{} {}: ", contestant.clipper, contestant.scalar());
-  if (verified.judged() == 0) {
-    fmt::print("NOTHING JUDGED: no triangle was found that the promise speaks of\n");
-  } else {
-    fmt::print("promise {} on {} triangles\n", verified.broken == 0 ? "kept" : "BROKEN",
-               verified.judged());
-    print_error(contestant.promise, *contestant.format, verified.largest_ulps);
-  }
-  print_unjudged(verified);
-  if (verified.worst) print_worst(verified);
+  return named;
 }
 
 int verify(const VerifyOptions& options) {
-  const Selection& selection = options.selection;
-  const std::vector<std::string_view> guests = load_guests(options.guests);
-  const Contestant& contestant =
-      find_contestant(given_clipper(selection.clipper, guests), options.scalar);
-  Verified verified;
-  const bool cases = options.catalogue || options.corpus;
-  if (cases) {
-    verify_catalogue(contestant,
-                     options.corpus ? load_catalogue(*options.corpus) : builtin_catalogue(),
-                     verified);
+  const Contestant& contestant = chosen_contestant(options);
+  const std::optional<Questions> named = named_questions(options);
+  const Questions asked = named.value_or(usually_asked(contestant));
+  const Questions examined = contestant.is_guest && !named ? Questions::all() : asked;
+  Verification verification{named.has_value(), {}};
+  verification.sources =
+      examine_sources(options.sources, options.selection, {contestant, examined, asked});
+  if (options.shrinks) verification.smallest = smallest_of(verification);
+  if (options.corpus_out && verification.smallest) {
+    append_case(*options.corpus_out, verification.smallest->triangle);
   }
-  if (!cases || !selection.scenes.empty()) {
-    for (const std::string& name : scene_names(selection)) {
-      verify_scene(contestant, load_selected_scene(selection, name), selection.sample, verified);
-    }
+  if (options.junit) write_file(*options.junit, junit_of(verification));
+  fmt::print("{}",
+             options.selection.json ? json_of(verification).dump(2) + "\n" : text_of(verification));
+  return exit_code(verification);
+}
+
+void add_promise_option(CLI::App& command, std::vector<std::string>& promises) {
+  std::vector<std::string> names = {"all"};
+  for (const std::string_view name : names_of(Question{})) names.emplace_back(name);
+  add_option(
+      command, "--promise", promises, "LIST",
+      "What must hold, separated by commas (see below), or all [what the clipper states; of one that is not ours total,contained,covers,winding]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(names).description(""));
+}
+
+void add_source_options(CLI::App& command, VerifyOptions& options) {
+  VerifySources& sources = options.sources;
+  const auto set_space = [&options](const std::string& name) {
+    options.sources.space = name == "view" ? Space::view : Space::clip;
+    options.guests.space = name;
+  };
+  command
+      .add_option_function<std::string>(
+          "--space", set_space,
+          "Triangles in view space or in clip space alone; a program takes these alone [both, of a program clip]")
+      ->check(CLI::IsMember({"view", "clip"}));
+  command.add_flag(
+      "--catalogue", sources.catalogue,
+      "The hard cases and their families, in view space and clip space, instead of scenes (or besides those named)");
+  add_option(command, "--corpus", sources.corpus, "FILE|DIR",
+             "The same with hard cases of your own");
+  add_option(command, "--case", sources.hard_case, "NAME",
+             "Of the hard cases this alone, with its family, or one of a family");
+  command.add_option("--triangles", sources.random, "So many random triangles")
+      ->check(CLI::PositiveNumber);
+  const char* kTextGroup = "Triangles as text";
+  add_option(
+      command, "--input", sources.input, "FILE",
+      "Triangles, one per line, as `clipscope clip` reads them; -: standard input. In view space with --frustum, --ortho or --matrix")
+      ->group(kTextGroup);
+  add_option(command, "--attributes", sources.attributes, "K", "Attributes per vertex of these [0]")
+      ->check(CLI::Range(0, kMaxAttributes))
+      ->group(kTextGroup);
+  add_boundary_options(command, sources.volume);
+  for (const char* name : {"--clip-distances", "--depth-clamp", "--half-open"}) {
+    command.get_option(name)->group(kTextGroup);
   }
-  if (selection.json) {
-    fmt::print("{}\n", to_json(contestant, verified).dump(2));
-  } else {
-    print(contestant, verified);
+}
+
+// "Promises: total (...), ...", and the exit codes.
+std::string footer() {
+  std::string text = "Promises, each judged by the exact reference:\n";
+  for (std::size_t i = 0; i < kQuestions; ++i) {
+    const auto q = static_cast<Question>(i);
+    text += fmt::format("  {:<19}{}\n", name_of(q), question_text(q));
   }
-  if (verified.broken > 0) return kExitPromiseBroken;
-  return verified.judged() > 0 ? kExitOk : kExitNothingJudged;
+  return text +
+         fmt::format(
+             R"(The bound is that of the clipper's promise (`clipscope list clippers`); where it states none,
+{} u M.
+Exit code 0: all that is asked for holds on every triangle that it speaks of; 1: some is broken; 6:
+no triangle was judged, or a promise named by --promise on none; 5: a plug-in or program can't be
+asked.)",
+             kChainUlps);
 }
 
 }  // namespace
 
 void add_verify_command(CLI::App& app, Action& action) {
-  const auto [command, options] = add_command(
-      app, action, verify, "verify",
-      "Check a clipper's promises on every triangle of scenes or hard cases",
-      R"(Exit code 0: the promise holds on every triangle that it speaks of; 1: it is broken, and the
-worst offender is printed as hex floats; 5: it speaks of none of the triangles, so nothing was
-judged. `clipscope list clippers` shows the promises.)");
-  add_contestant_options(command, options.selection.clipper, options.scalar);
+  const auto [command, options] =
+      add_command(app, action, verify, "verify",
+                  "Which promises does a clipper keep on scenes, hard cases or a file?", footer());
+  add_contestant_options(command, options.clipper, options.scalar);
   add_guest_options(command, options.guests);
-  add_guest_space_option(command, options.guests);
-  command.add_flag(
-      "--catalogue", options.catalogue,
-      "The hard cases and their families, in view space and clip space, instead of scenes (or besides those named)");
-  add_option(command, "--corpus", options.corpus, "FILE|DIR",
-             "The same with hard cases of your own");
+  add_promise_option(command, options.promises);
+  add_source_options(command, options);
   add_scene_options(command, options.selection);
+  command.add_flag("!--no-shrink", options.shrinks,
+                   "Leave the first counterexample as it is; else it is made as small as it goes");
+  add_option(command, "--corpus-out", options.corpus_out, "FILE",
+             "Add the smallest to this file of hard cases");
+  add_option(command, "--junit", options.junit, "FILE",
+             "Also write the promises as test cases, in JUnit's XML, for CI systems");
   add_json_option(command, options.selection);
 }
 

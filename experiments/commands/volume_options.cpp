@@ -81,12 +81,16 @@ void add_primitive_option(CLI::App& command, Primitive& primitive) {
       ->check(CLI::IsMember({"triangle", "segment", "point", "polygon"}));
 }
 
-void add_volume_options(CLI::App& command, VolumeOptions& options) {
+void add_boundary_options(CLI::App& command, VolumeOptions& options) {
   add_option(command, "--clip-distances", options.clip_distances, "N",
              "The first N attributes are clip distances: inside is >= 0 [0]")
       ->check(CLI::Range(0, kMaxClipDistances));
   add_depth_clamp_option(command, options.depth_clamp);
   add_half_open_option(command, options.open_sides);
+}
+
+void add_volume_options(CLI::App& command, VolumeOptions& options) {
+  add_boundary_options(command, options);
   const auto add = [&options](const std::vector<double>& numbers) {
     options.planes.push_back(parse_plane(numbers));
   };

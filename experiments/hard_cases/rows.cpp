@@ -12,9 +12,10 @@ namespace clipscope::experiments::hard_cases {
 namespace {
 
 // The outcomes of a row of the matrix, one letter per clipper.
-constexpr std::string_view kLetters = "=~.v#MXFN-";
+constexpr std::string_view kLetters = "=~.v#MXFNCTA-";
+static_assert(kLetters.size() == kOutcomes);
 constexpr std::string_view kLetterNote =
-    "= exact, ~ faithful (1 ulp), . subpixel (< 1/256 px), v visible, # another number of vertices, M missing, X extra, F flipped, N not finite, - not applicable, blank: not in this scalar.";
+    "= exact, ~ faithful (1 ulp), . subpixel (< 1/256 px), v visible, # another number of vertices, M missing, X extra, F flipped, N not finite, C crashed, T timed out, A no answer by its form, - not applicable, blank: not in this scalar.";
 
 char letter(Outcome outcome) { return kLetters[static_cast<std::size_t>(outcome)]; }
 

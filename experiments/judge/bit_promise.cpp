@@ -9,6 +9,7 @@
 #include <cfloat>
 #include <utility>
 
+#include "experiments/guests/conduct.hpp"
 #include "experiments/judge/compare.hpp"
 #include "experiments/judge/containment.hpp"
 #include "experiments/judge/cycle.hpp"
@@ -167,15 +168,41 @@ void BitQuestions::add_steady() {
     lone_ = t;
     break;
   }
+  asked_.push_back({Question::steady, "alone", alone(batch_, lone_), Order::alone});
+  if (contestant_.is_guest) {
+    for (const Misconduct& m : conduct(contestant_, batch_)) misconduct_[m.primitive] = m.reason;
+    return;
+  }
   asked_.push_back({Question::steady, "again", Variant(batch_)});
   asked_.push_back({Question::steady, "in another order", reversed(batch_), Order::reversed});
-  asked_.push_back({Question::steady, "alone", alone(batch_, lone_), Order::alone});
+}
+
+// Whether a guest is asked about it in one batch with others. What shall show whether its answers
+// depend on others is asked apart.
+bool BitQuestions::joins(const Asked& asked) const {
+  if (!contestant_.is_guest || asked.question == Question::steady) return false;
+  const bool same_volume = batch_.space == Space::clip && !batch_.matrix;
+  return asked.question != Question::scale || same_volume;
 }
 
 // A guest is asked about one batch after the other: it may have but one process.
 void BitQuestions::ask() {
+  std::vector<double> joined;
+  std::size_t rounds = 0;
+  for (Asked& asked : asked_) {
+    if (!joins(asked)) {
+      asked.round = ++rounds;
+      continue;
+    }
+    asked.first = joined.size() / (3 * batch_.stride());
+    const std::span<const double> numbers = asked.variant.numbers();
+    joined.insert(joined.end(), numbers.begin(), numbers.end());
+  }
+  rounds_.resize(rounds + 1);
+  if (!joined.empty()) rounds_[0] = clip(contestant_, Variant(batch_, std::move(joined)).batch());
   const auto ask_one = [&](std::size_t i) {
-    asked_[i].answers = clip(contestant_, asked_[i].variant.batch());
+    std::optional<Answers>& answers = rounds_[asked_[i].round];
+    if (!joins(asked_[i])) answers = clip(contestant_, asked_[i].variant.batch());
   };
   if (contestant_.is_guest || batch_.size() == 1) {
     for (std::size_t i = 0; i < asked_.size(); ++i) ask_one(i);
@@ -185,13 +212,14 @@ void BitQuestions::ask() {
 }
 
 std::optional<PolygonView> BitQuestions::answer(const Asked& asked, std::size_t triangle) const {
+  const Answers& answers = *rounds_[asked.round];
   switch (asked.order) {
-    case Order::same: return (*asked.answers)[triangle];
-    case Order::reversed: return (*asked.answers)[batch_.size() - 1 - triangle];
+    case Order::same: return answers[asked.first + triangle];
+    case Order::reversed: return answers[asked.first + batch_.size() - 1 - triangle];
     case Order::alone: break;
   }
   if (triangle != lone_) return std::nullopt;
-  return (*asked.answers)[0];
+  return answers[asked.first];
 }
 
 std::string BitQuestions::failure(std::size_t triangle) const {
@@ -243,15 +271,23 @@ Found BitQuestions::judge(Question question, std::size_t triangle) const {
                             [&](const Asked& asked, const PolygonView& polygon) {
                               return changed_constant(polygon, asked.constants);
                             });
-    case Question::steady:
-      return judge_variants(
-          question, triangle, [&](const Asked& asked, const PolygonView& polygon) {
-            return reason_if(!same_bits(given, polygon),
-                             fmt::format("not steady: asked {} it gives other bits", asked.how));
-          });
+    case Question::steady: return judge_steady(triangle);
     case Question::watertight: return judge_watertight(triangle);
     default: return {};
   }
+}
+
+Found BitQuestions::judge_steady(std::size_t triangle) const {
+  const auto misconduct = misconduct_.find(triangle);
+  if (misconduct != misconduct_.end()) return Found::broken("not steady: it " + misconduct->second);
+  const PolygonView given = given_[triangle];
+  Found found = judge_variants(
+      Question::steady, triangle, [&](const Asked& asked, const PolygonView& polygon) {
+        if (same_bits(given, polygon)) return std::string();
+        return fmt::format("not steady: asked {} it gives other bits", asked.how);
+      });
+  found.judged = true;
+  return found;
 }
 
 Found BitQuestions::judge_total(std::size_t triangle) const {
@@ -316,7 +352,7 @@ Found BitQuestions::judge_watertight(std::size_t triangle) const {
   if (contestant_.is_guest) sides.push_back({&batch_, given_[triangle]});
   for (const Asked& asked : asked_) {
     if (asked.question != Question::watertight) continue;
-    sides.push_back({&asked.variant.batch(), (*asked.answers)[triangle]});
+    sides.push_back({&asked.variant.batch(), *answer(asked, triangle)});
   }
   if (sides.size() != 2 || !has_room_[triangle] || first_edge_lies_in_a_plane(triangle)) return {};
   if (std::ranges::any_of(sides, [](const Side& s) { return s.polygon.empty(); })) return {};

@@ -5,10 +5,12 @@
 // steady?
 //
 // The contestant is asked about the batch's variants (variants.hpp) when an object is made, each
-// whole batch once; nothing is asked later.
+// whole batch once; of a guest those that are clipped against the same volume are one batch, so
+// that a program starts a few times for all questions. Nothing is asked later.
 #pragma once
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,7 +52,8 @@ class BitQuestions {
     Variant variant;
     Order order = Order::same;
     std::vector<double> constants = {};  // of the last attributes
-    std::optional<Answers> answers = {};
+    // Where its answers are: from this place on among those to a batch that was asked about.
+    std::size_t round = 0, first = 0;
   };
 
   void add_variants(const Questions& asked);
@@ -58,12 +61,14 @@ class BitQuestions {
   void add_watertight();
   void add_steady();
   void ask();
+  bool joins(const Asked& asked) const;
   std::optional<PolygonView> answer(const Asked& asked, std::size_t triangle) const;
   template <class Judge>
   Found judge_variants(Question question, std::size_t triangle, const Judge& judge) const;
   Found judge_total(std::size_t triangle) const;
   Found judge_confined(std::size_t triangle) const;
   Found judge_watertight(std::size_t triangle) const;
+  Found judge_steady(std::size_t triangle) const;
   bool first_edge_lies_in_a_plane(std::size_t triangle) const;
   std::optional<std::vector<VertexView>> on_first_edge(const Batch& batch, std::size_t triangle,
                                                        const PolygonView& polygon) const;
@@ -72,9 +77,11 @@ class BitQuestions {
   const Batch& batch_;
   const Answers& given_;
   std::vector<char> has_room_;
-  std::size_t lone_ = 0;                   // the triangle that is asked about alone
-  std::optional<reference::Truth> truth_;  // where vertices on an edge are found by it
+  std::map<std::size_t, std::string> misconduct_;  // of a guest, by triangle
+  std::size_t lone_ = 0;                           // the triangle that is asked about alone
+  std::optional<reference::Truth> truth_;          // where vertices on an edge are found by it
   std::vector<Asked> asked_;
+  std::vector<std::optional<Answers>> rounds_;
 };
 
 }  // namespace clipscope::experiments

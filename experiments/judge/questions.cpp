@@ -39,6 +39,7 @@ class BatchExamination {
       : batch_(batch),
         asked_(asked),
         given_(given),
+        is_guest_(contestant.is_guest),
         promise_(distance_promise(contestant, asked)),
         bits_(contestant, batch, asked, given) {
     if (asked_.has_any(kDistances) || asked_.has_any(kOfExactPolygon)) checker_.emplace(batch);
@@ -82,6 +83,7 @@ class BatchExamination {
     examined.ulps = check.ulps;
     examined.in_domain = check.verdict != PromiseVerdict::outside_domain;
     if (!examined.in_domain) return;
+    const bool is_left_out = is_guest_ && given_[triangle].empty() && !has_area(triangle);
     const bool is_no_polygon = check.verdict == PromiseVerdict::broken &&
                                check.contained.reason.empty() && check.covers.reason.empty();
     const auto note_breach = [&](Question q, const PromiseCheck::Breach& breach) {
@@ -91,9 +93,25 @@ class BatchExamination {
         note(q, {.judged = true, .reason = breach.reason, .excess = breach.excess}, examined);
       }
     };
-    if (promise_.covers) note_breach(Question::covers, check.covers);
+    if (promise_.covers) {
+      note_breach(Question::covers, is_left_out ? PromiseCheck::Breach{} : check.covers);
+    }
     // Vertices off the triangle are bounded by either promise.
     note_breach(promise_.contained ? Question::contained : Question::covers, check.contained);
+  }
+
+  // Whether the exact polygon has an area on screen, where one without draws no pixel.
+  bool has_area(std::size_t triangle) const {
+    const auto polygon =
+        reference::clip(checker_->truth(), input_vertices(batch_, triangle), batch_.attributes);
+    Exact twice(0);
+    for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
+      const reference::ExactVertex& a = polygon.vertices[i];
+      const reference::ExactVertex& b = polygon.vertices[(i + 1) % polygon.vertices.size()];
+      twice += reference::to_rational(a.x) * reference::to_rational(b.y) -
+               reference::to_rational(b.x) * reference::to_rational(a.y);
+    }
+    return twice != Exact(0);
   }
 
   void examine_exactly(std::size_t triangle, Examined& examined) const {
@@ -118,6 +136,7 @@ class BatchExamination {
   const Batch& batch_;
   const Questions asked_;
   const Answers& given_;
+  const bool is_guest_;
   const Promise promise_;
   const BitQuestions bits_;
   std::optional<PromiseChecker> checker_;  // where distances or the exact polygon are asked for
@@ -165,6 +184,7 @@ Questions usually_asked(const Contestant& contestant) {
 
 std::vector<Examined> examine(const Contestant& contestant, const Batch& batch,
                               const Questions& asked, const Answers& given) {
+  if (batch.size() == 0) return {};
   if (has_more_attributes(batch, contestant.most_attributes)) {
     const NarrowBatch narrow(batch, contestant.most_attributes);  // which was answered
     return examine(contestant, narrow.batch(), asked, given);

@@ -37,7 +37,7 @@ enum class Question : std::uint8_t {
   constants,          // an attribute that has one value at all vertices keeps it
   faithful,           // the right vertices, every number one of the two next to the exact one
   correctly_rounded,  // the right vertices, every number the float nearest to the exact one
-  steady              // the same bits when asked again, alone, or in another order
+  steady  // the same bits when asked again, alone, in another order (of a guest: see conduct.hpp)
 };
 
 inline constexpr std::size_t kQuestions = 12;
@@ -114,6 +114,9 @@ struct Examined {
 // has not, if the contestant is a guest. What lies on the edge is found by a mark in an attribute
 // for our own clippers; a guest need not keep that, so its vertices are matched with those of the
 // exact polygon, where it has as many.
+//
+// A guest may draw nothing of a triangle that has no area on screen: that is no loss to `covers`.
+// Of attributes that are more than a contestant takes it is asked about the first.
 //
 // Pre-condition: triangles that the contestant takes and whose numbers are finite.
 std::vector<Examined> examine(const Contestant& contestant, const Batch& batch,

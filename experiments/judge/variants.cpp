@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace clipscope::experiments {
 namespace {
@@ -20,6 +21,11 @@ bool has_room(const Vec4<double>& row) {
 Variant::Variant(const Batch& original) : batch_(original) {
   numbers_.resize(original.size() * 3 * original.stride());
   for (std::size_t i = 0; i < numbers_.size(); ++i) numbers_[i] = original.number(i);
+  batch_.numbers = std::span<const double>(numbers_);
+}
+
+Variant::Variant(const Batch& description, std::vector<double> numbers)
+    : numbers_(std::move(numbers)), batch_(description) {
   batch_.numbers = std::span<const double>(numbers_);
 }
 

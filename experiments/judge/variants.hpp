@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "experiments/contestants/batch.hpp"
@@ -17,12 +18,15 @@ inline constexpr int kScaleExponent = 8;
 class Variant {
  public:
   explicit Variant(const Batch& original);
+  // Other triangles of the same kind. Pre-condition: a whole number of them.
+  Variant(const Batch& description, std::vector<double> numbers);
   Variant(const Variant&) = delete;  // the batch refers to the numbers
   Variant& operator=(const Variant&) = delete;
   Variant(Variant&&) = default;
   Variant& operator=(Variant&&) = default;
 
   const Batch& batch() const { return batch_; }
+  std::span<const double> numbers() const { return numbers_; }
   Batch& batch() { return batch_; }
   // Number i of a vertex: its position, then its attributes.
   double& number(std::size_t triangle, std::size_t vertex, std::size_t i) {

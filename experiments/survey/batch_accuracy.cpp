@@ -86,7 +86,10 @@ std::size_t correctly_rounded(const std::vector<VertexView>& vertices,
 double error_of_wrong(Outcome outcome, const std::vector<ScreenPoint>& answer,
                       const std::vector<ScreenPoint>& truth) {
   switch (outcome) {
-    case Outcome::not_finite: return std::numeric_limits<double>::infinity();
+    case Outcome::not_finite:
+    case Outcome::crashed:
+    case Outcome::timed_out:
+    case Outcome::malformed: return std::numeric_limits<double>::infinity();
     case Outcome::flipped: return std::max(diameter(answer), diameter(truth));
     case Outcome::missing: return diameter(truth);
     case Outcome::extra: return diameter(answer);

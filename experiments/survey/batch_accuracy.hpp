@@ -32,7 +32,7 @@ namespace clipscope::experiments {
 struct BatchAccuracy {
   std::int64_t triangles = 0;  // judged
   std::int64_t visible = 0;    // in truth or in the answer; all that follows is about these
-  std::int64_t wrong = 0;      // vertex_count, missing, extra, flipped or not_finite
+  std::int64_t wrong = 0;      // an outcome beyond `visible`
   std::int64_t coordinates = 0, correctly_rounded = 0;
   LogHistogram error_px;  // one value per visible triangle
   // The first triangle with the largest error: number in its view.

@@ -118,6 +118,10 @@ Corners random_view_corners(Random& random) {
   return corners;
 }
 
+std::size_t stride_of(const Selection& selection) { return selection.quick ? kQuickStride : 1; }
+
+}  // namespace
+
 SweepChunk random_chunk(std::uint64_t seed, std::size_t index, std::size_t count) {
   Random random(seed * 0x9E3779B97F4A7C15u + index);
   SweepChunk chunk;
@@ -138,10 +142,6 @@ SweepChunk random_chunk(std::uint64_t seed, std::size_t index, std::size_t count
   }
   return chunk;
 }
-
-std::size_t stride_of(const Selection& selection) { return selection.quick ? kQuickStride : 1; }
-
-}  // namespace
 
 TableOf<SweepRow> lattice_table(const std::string& name, const Selection& selection) {
   const Lattice lattice = named_lattice(name);

@@ -42,6 +42,10 @@ struct SweepRow {
 TableOf<SweepRow> lattice_table(const std::string& name, const Selection& selection);
 void add_lattice(const std::string& name, const Selection& selection, TableOf<SweepRow>& table);
 
+// So many random triangles, all in view space (even index) or clip space (odd): those of the sweep
+// below. The same for a seed, an index and a count.
+SweepChunk random_chunk(std::uint64_t seed, std::size_t index, std::size_t count);
+
 // Random triangles, half in view space and half in clip space: anywhere, game-like, near planes,
 // with mixed signs of w, over wide exponents. The same for a seed, whatever the number of threads.
 TableOf<SweepRow> sweep_random(std::uint64_t triangles, const Selection& selection);

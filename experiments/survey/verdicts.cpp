@@ -11,6 +11,8 @@
 #include "experiments/judge/questions.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/selection/select.hpp"
+#include "experiments/survey/case_batch.hpp"
+#include "experiments/survey/guest_verdicts.hpp"
 #include "experiments/survey/judged_once.hpp"
 #include "experiments/survey/sweep.hpp"
 
@@ -18,31 +20,6 @@ namespace clipscope::experiments {
 namespace {
 
 constexpr std::size_t kCasesAtOnce = 32;  // cases in work at once
-
-// A hard case as a batch of one primitive.
-struct CaseBatch : Batch {
-  explicit CaseBatch(const HardCase& c)
-      : Batch{.space = c.space,
-              .frustum = c.frustum,
-              .matrix = c.matrix,
-              .volume = c.volume,
-              .vertices = static_cast<int>(vertices_of(c.primitive)),
-              .attributes = c.attribute_count,
-              .planes = c.planes},
-        own_end(c.vertices.size()) {
-    for (const auto& [position, values] : c.vertices) {
-      own_numbers.insert(own_numbers.end(), position.begin(), position.begin() + dimension());
-      own_numbers.insert(own_numbers.end(), values.begin(), values.begin() + attributes);
-    }
-    numbers = std::span<const double>(own_numbers);
-    if (vertices == 0) ends = std::span(&own_end, 1);
-  }
-  CaseBatch(const CaseBatch&) = delete;  // the batch refers to its numbers
-  CaseBatch& operator=(const CaseBatch&) = delete;
-
-  std::vector<double> own_numbers;
-  std::size_t own_end;
-};
 
 PromiseCheck check_answer(const Contestant& contestant, const HardCase& hard_case,
                           const CaseBatch& input, const PromiseChecker& checker,
@@ -65,6 +42,7 @@ std::vector<CaseVerdict> judge(const HardCase& hard_case, const Contestants& con
   JudgedOnce<Comparison> comparisons;
   for (const Contestant* contestant : contestants) {
     CaseVerdict& verdict = verdicts.emplace_back();
+    if (contestant->is_guest) continue;  // asked about all cases at once
     if (!contestant->takes(input)) {
       verdict.comparison.outcome = Outcome::not_applicable;
       continue;
@@ -92,6 +70,36 @@ std::vector<T> tally_cases(const CaseSet& set, Progress& progress, Count&& count
                   for (std::size_t i = 0; i < whole.size(); ++i) whole[i] += part[i];
                 });
   return whole;
+}
+
+// The variants of all cases that are wanted, case by case.
+template <class Wanted>
+std::vector<HardCase> variants_of(const CaseSet& set, const Wanted& wanted) {
+  std::vector<HardCase> all;
+  for (const HardCase* original : set.cases) {
+    for (auto&& variants : {family(*original), special_values(*original)}) {
+      std::ranges::copy_if(variants, std::back_inserter(all), wanted);
+    }
+  }
+  return all;
+}
+
+std::vector<const HardCase*> pointers_to(const std::vector<HardCase>& cases) {
+  std::vector<const HardCase*> pointers;
+  for (const HardCase& c : cases) pointers.push_back(&c);
+  return pointers;
+}
+
+bool has_guest(const CaseSet& set) {
+  return std::ranges::any_of(set.contestants, [](const Contestant* c) { return c->is_guest; });
+}
+
+// Calls f(guest, place) for each guest of the set.
+template <class F>
+void for_each_guest(const CaseSet& set, const F& f) {
+  for (std::size_t c = 0; c < set.contestants.size(); ++c) {
+    if (set.contestants[c]->is_guest) f(*set.contestants[c], c);
+  }
 }
 
 // Whether some coordinate of a position is NaN or infinite.
@@ -191,33 +199,57 @@ std::vector<std::vector<CaseVerdict>> judge_cases(const CaseSet& set, Progress& 
       set.cases.size(), kCasesAtOnce, progress,
       [&](std::size_t i) { return judge(*set.cases[i], set.contestants); },
       [&](std::vector<CaseVerdict>& row) { verdicts.push_back(std::move(row)); });
+  for_each_guest(set, [&](const Contestant& guest, std::size_t place) {
+    const std::vector<CaseVerdict> column = judge_in_batches(guest, set.cases);
+    for (std::size_t i = 0; i < column.size(); ++i) verdicts[i][place] = column[i];
+  });
   return verdicts;
 }
 
 std::vector<FamilyTally> judge_families(const CaseSet& set, Progress& progress) {
-  return tally_cases<FamilyTally>(set, progress, [&](const HardCase& original, auto& tallies) {
+  const auto count = [&](const HardCase& original, std::vector<FamilyTally>& tallies) {
     std::vector<HardCase> variants = family(original);
     std::ranges::move(special_values(original), std::back_inserter(variants));
     for (const HardCase& variant : variants) {
       if (!is_finite(variant)) continue;
       const std::vector<CaseVerdict> verdicts = judge(variant, set.contestants);
-      for (std::size_t i = 0; i < tallies.size(); ++i) tallies[i].add(verdicts[i], variant);
+      for (std::size_t i = 0; i < tallies.size(); ++i) {
+        if (!set.contestants[i]->is_guest) tallies[i].add(verdicts[i], variant);
+      }
     }
+  };
+  std::vector<FamilyTally> tallies = tally_cases<FamilyTally>(set, progress, count);
+  if (!has_guest(set)) return tallies;
+  const auto variants = variants_of(set, [](const HardCase& c) { return is_finite(c); });
+  for_each_guest(set, [&](const Contestant& guest, std::size_t place) {
+    const std::vector<CaseVerdict> verdicts = judge_in_batches(guest, pointers_to(variants));
+    for (std::size_t i = 0; i < variants.size(); ++i) tallies[place].add(verdicts[i], variants[i]);
   });
+  return tallies;
 }
 
 std::vector<PolicyTally> judge_special_values(const CaseSet& set, Progress& progress) {
-  return tally_cases<PolicyTally>(set, progress, [&](const HardCase& original, auto& tallies) {
+  const auto count = [&](const HardCase& original, std::vector<PolicyTally>& tallies) {
     for (const HardCase& variant : special_values(original)) {
       if (!has_bad_position(variant)) continue;
       const CaseBatch input(variant);
       for (std::size_t i = 0; i < tallies.size(); ++i) {
-        if (!set.contestants[i]->takes(input)) continue;
+        if (set.contestants[i]->is_guest || !set.contestants[i]->takes(input)) continue;
         const bool is_drawn = !clip(*set.contestants[i], input)[0].empty();
         tallies[i] += {.inputs = 1, .drawn = is_drawn, .offender = is_drawn ? variant.name : ""};
       }
     }
+  };
+  std::vector<PolicyTally> tallies = tally_cases<PolicyTally>(set, progress, count);
+  if (!has_guest(set)) return tallies;
+  const std::vector<HardCase> variants = variants_of(set, has_bad_position);
+  for_each_guest(set, [&](const Contestant& guest, std::size_t place) {
+    const DrawnCases drawn = drawn_in_batches(guest, pointers_to(variants));
+    tallies[place] = {.inputs = static_cast<std::int64_t>(drawn.inputs),
+                      .drawn = static_cast<std::int64_t>(drawn.names.size()),
+                      .offender = drawn.names.empty() ? "" : drawn.names.front()};
   });
+  return tallies;
 }
 
 }  // namespace clipscope::experiments

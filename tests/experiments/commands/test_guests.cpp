@@ -12,14 +12,15 @@ namespace {
 const std::string kPlugin = " --plugin " + quoted(CLIPSCOPE_OWN_PLUGIN);
 const std::string kMisbehaving = " --plugin " + quoted(CLIPSCOPE_MISBEHAVING);
 constexpr const char* kName = "plugin/sutherland_hodgman";
-constexpr const char* kTriangle = "0 0 0 1  2 0 0 1  0 1 0 1\n";
+constexpr const char* kAcrossRight = "0 0 0 1  2 0 0 1  0 1 0 1\n";
 
 // The rows of the table whose clipper has that name.
 nlohmann::json rows_of(const Result& r, const std::string& clipper) {
   INFO(r.err);
   REQUIRE(r.code == 0);
   nlohmann::json found = nlohmann::json::array();
-  for (const auto& row : nlohmann::json::parse(r.out).at("rows")) {
+  const nlohmann::json table = nlohmann::json::parse(r.out);
+  for (const auto& row : table.at("rows")) {
     if (row.at("clipper") == clipper) found.push_back(row);
   }
   return found;
@@ -38,26 +39,33 @@ TEST_CASE("plug-in: list shows it beside our clippers") {
 
 TEST_CASE("plug-in: clip and explain take it where no clipper is named") {
   const Folder folder;
-  const Result ours = folder.run("clip --space clip", kTriangle);
-  const Result its = folder.run("clip --space clip" + kPlugin, kTriangle);
+  const Result ours = folder.run("clip --space clip", kAcrossRight);
+  const Result its = folder.run("clip --space clip" + kPlugin, kAcrossRight);
   CHECK(its.err.empty());
   CHECK(its.out == ours.out);
-  const Result explained = folder.run("explain --space clip" + kPlugin, kTriangle);
+  const Result explained = folder.run("explain --space clip" + kPlugin, kAcrossRight);
   CHECK(explained.code == 0);
   CHECK(contains(explained.out, kName));
-  const Result named = folder.run("explain --space clip --clipper textbook" + kPlugin, kTriangle);
+  const Result named =
+      folder.run("explain --space clip --clipper textbook" + kPlugin, kAcrossRight);
   CHECK(contains(named.out, "textbook"));
 }
 
 TEST_CASE("plug-in: compare and sweep have a row for it, whatever --clipper selects") {
   const Folder folder;
-  const std::string options = " --json --clipper textbook" + kPlugin;
-  const auto compared = rows_of(
-      folder.run("compare --quick --scene soup --sample 200 --scalar float,double" + options),
-      kName);
+  const std::string ours = "homogeneous/sutherland_hodgman";
+  const std::string options = " --json --clipper " + ours + kPlugin;
+  const Result r =
+      folder.run("compare --quick --scene soup --sample 200 --scalar float,double" + options);
+  const auto compared = rows_of(r, kName), beside = rows_of(r, ours);
   REQUIRE(compared.size() == 2);
-  CHECK(compared[0].at("wrong") == 0);
-  CHECK(compared[0].at("ns_per_triangle") > 0);
+  REQUIRE(beside.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (const char* column : {"wrong", "max_px", "max_ulp", "max_attribute"}) {
+      CHECK(compared[i].at(column) == beside[i].at(column));
+    }
+    CHECK(compared[i].at("ns_per_triangle") > 0);
+  }
   const auto swept = rows_of(folder.run("sweep --triangles 2000" + options), kName);
   REQUIRE(swept.size() == 1);
   CHECK(swept[0].at("crashed") == 0);
@@ -101,7 +109,7 @@ TEST_CASE("plug-in: what crashes on a primitive is an outcome, and a warning of 
 
 TEST_CASE("plug-in: one that can't be asked ends the command with 5 and the reason") {
   const Folder folder;
-  const Result missing = folder.run("clip --space clip --plugin ./none.so", kTriangle);
+  const Result missing = folder.run("clip --space clip --plugin ./none.so", kAcrossRight);
   CHECK(missing.code == 5);
   CHECK(contains(missing.err, "--plugin: ./none.so: there is no such file"));
   setenv("CLIPSCOPE_MISBEHAVIOUR", "crash_at_once", 1);
@@ -113,10 +121,12 @@ TEST_CASE("plug-in: one that can't be asked ends the command with 5 and the reas
 TEST_CASE("plug-in: what it does not take is a wrong option") {
   const Folder folder;
   setenv("CLIPSCOPE_MISBEHAVIOUR", "none", 1);
-  const Result depth = folder.run("clip --space clip --depth reversed" + kMisbehaving, kTriangle);
+  const Result depth =
+      folder.run("clip --space clip --depth reversed" + kMisbehaving, kAcrossRight);
   CHECK(depth.code == 2);
   CHECK(contains(depth.err, "test/none does not take --depth reversed"));
-  const Result scalar = folder.run("clip --space clip --scalar double" + kMisbehaving, kTriangle);
+  const Result scalar =
+      folder.run("clip --space clip --scalar double" + kMisbehaving, kAcrossRight);
   CHECK(scalar.code == 2);
   CHECK(contains(scalar.err, "test/none does not compute in double"));
   const Result scenes = folder.run("compare --quick --scene soup --depth reversed" + kMisbehaving);

@@ -82,10 +82,12 @@ TEST_CASE("guests: one is asked only for what it takes") {
   other.volume.depth = DepthRange::zero_to_one;
   CHECK_FALSE(guest.takes(other));
   other = batch;
-  other.attributes = 2;
-  CHECK_FALSE(guest.takes(other));
+  other.attributes = 2;  // the second one is left out
+  CHECK(guest.takes(other));
   other = batch;
-  other.planes = {{1, 0, 0, 0}};  // becomes one more attribute
+  other.planes = {{1, 0, 0, 0}};  // becomes an attribute, in place of the batch's own
+  CHECK(guest.takes(other));
+  other.planes.push_back({0, 1, 0, 0});  // which can't be left out
   CHECK_FALSE(guest.takes(other));
 }
 

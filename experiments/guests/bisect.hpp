@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which primitives of a batch does a guest fail on? Halves are asked again, depth first, until the
-// primitives that fail are alone, or were asked about often enough.
+// Which primitives of a batch does a guest fail on? Halves are asked again until the primitives
+// that fail are alone, or were asked about often enough. What only a batch brings about is blamed
+// on the primitive that ends the shortest batch which does.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <optional>
-#include <string>
-#include <utility>
 
 #include "experiments/contestants/answers.hpp"
 
@@ -18,44 +17,40 @@ struct Range {
   std::size_t first = 0, count = 0;
 };
 
-// Asks about all of the range at once. Null: its answers were added, in order; else nothing was.
-using AskRange = std::function<std::optional<Failure>(const Range&)>;
+// How often a guest is asked again. It does not depend on time itself, so that the same input gives
+// the same outcomes.
+struct Retries {
+  int left = 0;
+  int endless_price = 1;  // as so many counts a question that follows one not answered in time
 
-// How often halves are asked at most: enough for five primitives far apart among 4,096. Where a
-// question is not answered in time each half counts as four, which is enough for one. The count
-// does not depend on time itself, so that the same input gives the same outcomes.
-inline constexpr int kMostHalvesAsked = 128, kEndlessCount = 4;
+  bool are_spent() const { return left <= 0; }
+};
 
-// Asks about the range; each primitive gets its answer, or its failure in `answers`, in order. What
-// is not narrowed down any more fails as a whole, and says so.
+// Of each primitive in the range: no answer, since all of it failed and was not narrowed down.
+void fail_all(std::size_t count, const Failure& failure, Answers& answers);
+
 class Bisection {
  public:
-  Bisection(AskRange ask, Answers& answers) : ask_(std::move(ask)), answers_(answers) {}
+  // Asks about all of the range at once; nothing where it was answered.
+  using Ask = std::function<std::optional<Failure>(const Range&)>;
+  // Adds the answers to the range, which was asked about last.
+  using Keep = std::function<void(const Range&)>;
 
-  void operator()(const Range& range) {
-    std::optional<Failure> failure = ask_(range);
-    if (!failure) return;
-    if (range.count == 1) return answers_.fail(std::move(*failure));
-    const int price = 2 * (failure->kind == Failure::Kind::timed_out ? kEndlessCount : 1);
-    if (halves_left_ < price) return fail_all(range, *failure);
-    halves_left_ -= price;
-    const std::size_t half = range.count / 2;
-    (*this)({range.first, half});
-    (*this)({range.first + half, range.count - half});
-  }
+  Bisection(Ask ask, Keep keep, Answers& answers, Retries& retries);
+
+  // Adds the answer or the failure of each primitive, in order.
+  void operator()(const Range& range);
+  // The same of a range that was asked about, and failed.
+  void look_into(const Range& range, const Failure& failure);
 
  private:
-  void fail_all(const Range& range, const Failure& failure) {
-    for (std::size_t i = 0; i < range.count; ++i) {
-      answers_.fail({failure.kind, failure.reason + "; it was asked about " +
-                                       std::to_string(range.count) +
-                                       " primitives at once, and not which of them it fails on"});
-    }
-  }
+  bool may_ask(int times, const Failure& failure);
+  void blame_last_of_shortest(const Range& range, std::size_t kept, Failure failure);
 
-  AskRange ask_;
+  Ask ask_;
+  Keep keep_;
   Answers& answers_;
-  int halves_left_ = kMostHalvesAsked;
+  Retries& retries_;
 };
 
 }  // namespace clipscope::experiments

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "experiments/guests/bisect.hpp"
 #include "experiments/guests/plugin_said.hpp"
 #include "experiments/guests/plugin_task.hpp"
 
@@ -17,9 +18,8 @@ namespace {
 
 // Parts of a block that does not end get this much of its time. Who is blamed had all of it.
 constexpr double kPartOfTime = 0.1;
-// Blocks that are not answered are looked into as long as so little was found; then all of a block
-// is to blame.
-constexpr int kMostEndless = 16, kMostFound = 512;
+// For all blocks together: enough for 400 primitives far apart, or for eight that do not end.
+constexpr Retries kPluginRetries{.left = 10'000, .endless_price = 50};
 
 // A batch as the plug-in is asked about it. Its input is an area of its own.
 struct Part {
@@ -50,7 +50,7 @@ class TypedPluginRunner final : public PluginRunner {
       const std::size_t size = std::min(end - first, kMostAtOnce);
       keep_answer();
       if (const auto failure = ask(first, size, time_of_block())) {
-        look_into(first, size, *failure);
+        bisect({first, size}, *failure);
       } else {
         in_place_ = size;
       }
@@ -83,7 +83,7 @@ class TypedPluginRunner final : public PluginRunner {
     reserve_output(1, *part_);
     kept_ = Answers(kFormat<T>, stride());
     const auto failure = channel_->clip(request_of(first, count), plugin_.seconds(), true);
-    if (failure) blame_all(count, *failure);
+    if (failure) fail_all(count, *failure, kept_);
     in_place_ = failure ? 0 : count;
     Answers second = kept_;
     read_answer(1, in_place_, second);
@@ -144,15 +144,23 @@ class TypedPluginRunner final : public PluginRunner {
   }
 
   // The same, with an input that ends where its memory does.
-  std::optional<Failure> ask_apart(std::size_t first, std::size_t count, double seconds) {
-    plugin::Request request = request_of(first, count);
+  std::optional<Failure> ask_apart(const Range& range) {
+    plugin::Request request = request_of(range.first, range.count);
     const std::size_t bytes = request.task.vertices * request.task.stride * sizeof(T);
     SharedArea& apart = channel_->input(0, std::max<std::size_t>(1, bytes));
     std::memcpy(apart.end() - bytes, channel_->input(request.input, 0).begin() + request.input_at,
                 bytes);
     request.input = 0;
     request.input_at = apart.size() - bytes;
+    const double seconds = range.count == 1 ? time_of_block() : plugin_.seconds() * kPartOfTime;
     return channel_->clip(request, seconds);
+  }
+
+  // Keeps the answers to all of a block that failed but those who are to blame.
+  void bisect(const Range& block, const Failure& failure) {
+    Bisection([this](const Range& range) { return ask_apart(range); },
+              [this](const Range& range) { read_answer(0, range.count, kept_); }, kept_, retries_)
+        .look_into(block, failure);
   }
 
   void read_answer(std::size_t thread, std::size_t count, Answers& answers) const {
@@ -177,69 +185,9 @@ class TypedPluginRunner final : public PluginRunner {
     in_place_ = 0;
   }
 
-  // Who does not end again and again is not waited for as long.
+  // Who fails again and again is not waited for as long.
   double time_of_block() const {
-    return plugin_.seconds() * (endless_ < kMostEndless ? 1 : kPartOfTime);
-  }
-  double time_of_part() const { return plugin_.seconds() * kPartOfTime; }
-
-  void settle(std::size_t first, std::size_t count) {
-    if (count == 0) return;
-    if (const auto failure = ask_apart(first, count, time_of_part())) {
-      look_into(first, count, *failure);
-    } else {
-      read_answer(0, count, kept_);
-    }
-  }
-
-  // Finds who is to blame that [first, first + count) are not answered, and keeps the answers to
-  // all others.
-  void look_into(std::size_t first, std::size_t count, const Failure& failure) {
-    if (count == 1) return blame_one(first, failure);
-    if (endless_ >= kMostEndless || found_ >= kMostFound) return blame_all(count, failure);
-    const std::size_t half = count / 2;
-    if (const auto left = ask_apart(first, half, time_of_part())) {
-      look_into(first, half, *left);
-      return settle(first + half, count - half);
-    }
-    if (const auto right = ask_apart(first + half, count - half, time_of_part())) {
-      settle(first, half);
-      return look_into(first + half, count - half, *right);
-    }
-    blame_last_of_shortest(first, count, failure);
-  }
-
-  // It had a part of the time alone; now it gets all of it.
-  void blame_one(std::size_t primitive, const Failure& failure) {
-    const auto again = ask_apart(primitive, 1, time_of_block());
-    if (!again) return read_answer(0, 1, kept_);
-    ++found_;
-    endless_ += failure.kind == Failure::Kind::timed_out;
-    kept_.fail(*again);
-  }
-
-  void blame_all(std::size_t count, const Failure& failure) {
-    const std::string reason =
-        fmt::format("{}, in a batch of {} that was not looked into further", failure.reason, count);
-    for (std::size_t i = 0; i < count; ++i) kept_.fail({failure.kind, reason});
-  }
-
-  // Both halves are answered by themselves.
-  void blame_last_of_shortest(std::size_t first, std::size_t count, const Failure& failure) {
-    std::size_t answered = count / 2, fails = count;
-    Failure last = failure;
-    while (fails - answered > 1) {
-      const std::size_t middle = answered + (fails - answered) / 2;
-      const auto found = ask_apart(first, middle, time_of_part());
-      (found ? fails : answered) = middle;
-      if (found) last = *found;
-    }
-    ++found_;
-    endless_ += last.kind == Failure::Kind::timed_out;
-    settle(first, answered);
-    last.reason += fmt::format(" after the {} before it, not alone", answered);
-    kept_.fail(last);
-    settle(first + fails, count - fails);
+    return plugin_.seconds() * (retries_.are_spent() ? kPartOfTime : 1);
   }
 
   Plugin& plugin_;
@@ -248,7 +196,7 @@ class TypedPluginRunner final : public PluginRunner {
   const Part* part_ = nullptr;
   Answers kept_;
   std::size_t in_place_ = 0;  // primitives of the last block
-  int endless_ = 0, found_ = 0;
+  Retries retries_ = kPluginRetries;
 };
 
 }  // namespace

@@ -225,7 +225,8 @@ std::string last_words(const ProcessResult& result) {
   for (std::string line; std::getline(text, line);) {
     line.erase(0, line.find_first_not_of(" \t\r"));
     line.erase(line.find_last_not_of(" \t\r") + 1);
-    if (!line.empty()) lines.push_back(visible_utf8(line));
+    const bool only_marks_a_place = line.find_first_not_of(" ^~") == std::string::npos;
+    if (!only_marks_a_place) lines.push_back(visible_utf8(line));
   }
   if (lines.size() > kLines) {
     lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(kLines));

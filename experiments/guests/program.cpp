@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "experiments/contestants/contestant.hpp"
@@ -24,6 +23,9 @@ namespace clipscope::experiments {
 namespace {
 
 constexpr std::size_t kPrimitivesPerStart = 4096;
+// For each start that failed: enough for five primitives far apart among so many, or for one that
+// does not end.
+constexpr Retries kProgramRetries{.left = 128, .endless_price = 4};
 
 // A program as one contestant.
 struct Program {
@@ -37,19 +39,20 @@ std::optional<Failure> failure_of(const ProcessResult& result, const ProcessLimi
   const std::string words = last_words(result);
   switch (result.end) {
     case End::killed:
-      return Failure{Failure::Kind::crashed, fmt::format("signal {} ({}) ended it{}", result.code,
-                                                         strsignal(result.code), words)};
+      return Failure{
+          Failure::Kind::crashed,
+          fmt::format("is ended by signal {} ({}){}", result.code, strsignal(result.code), words)};
     case End::timed_out:
       return Failure{Failure::Kind::timed_out,
-                     fmt::format("it did not end within {} s{}", limits.seconds, words)};
+                     fmt::format("does not end within {:g} s{}", limits.seconds, words)};
     case End::too_much_output:
       return Failure{Failure::Kind::malformed,
-                     fmt::format("it wrote more than {} bytes{}", limits.most_output, words)};
+                     fmt::format("writes more than {} bytes{}", limits.most_output, words)};
     case End::exited: break;
   }
   if (result.code == 0) return std::nullopt;
   return Failure{Failure::Kind::crashed,
-                 fmt::format("it ended with exit code {}{}", result.code, words)};
+                 fmt::format("ends with exit code {}{}", result.code, words)};
 }
 
 class ProgramRunner final : public Runner {
@@ -68,7 +71,9 @@ class ProgramRunner final : public Runner {
     answers_ = Answers(*program_->form.format, 4 + static_cast<std::size_t>(part.input.attributes));
     for (std::size_t done = 0; done < count; done += kPrimitivesPerStart) {
       const Range range{first + done, std::min(kPrimitivesPerStart, count - done)};
-      Bisection([&](const Range& half) { return ask(part, half, range.count); }, answers_)(range);
+      Retries retries = kProgramRetries;
+      Bisection([&](const Range& half) { return ask(part, half, range.count); },
+                [&](const Range&) { keep(); }, answers_, retries)(range);
     }
   }
 
@@ -103,8 +108,12 @@ class ProgramRunner final : public Runner {
     WrittenAnswers written =
         read_answers(result.output, range.count, part.input.attributes, program_->form);
     if (!written.wrong.empty()) return Failure{Failure::Kind::malformed, written.wrong};
-    for (WrittenPolygon& polygon : written.polygons) add(polygon);
+    last_ = std::move(written.polygons);
     return std::nullopt;
+  }
+
+  void keep() {
+    for (WrittenPolygon& polygon : last_) add(polygon);
   }
 
   void add(WrittenPolygon& polygon) {
@@ -118,6 +127,7 @@ class ProgramRunner final : public Runner {
   std::shared_ptr<const Program> program_;
   std::vector<Part> parts_;
   Answers answers_;
+  std::vector<WrittenPolygon> last_;  // what was written to the last question
 };
 
 // A primitive inside of every volume there is: a part of a triangle.
@@ -184,12 +194,30 @@ Contestant contestant_of(const std::shared_ptr<const Program>& program, std::str
   return contestant;
 }
 
+// The words of a command as a shell splits them, where it has nothing but words and quotes.
+std::vector<std::string> words_of(const std::string& command) {
+  std::vector<std::string> words;
+  bool is_within = false;  // a word
+  char quote = 0;
+  for (const char c : command) {
+    const bool is_quote = quote == 0 ? c == '\'' || c == '"' : c == quote;
+    const bool is_gap = quote == 0 && (c == ' ' || c == '\t' || c == '\n');
+    if (!is_gap && !is_within) words.emplace_back();
+    is_within = !is_gap;
+    if (is_quote) {
+      quote = quote == 0 ? c : '\0';
+    } else if (!is_gap) {
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
 }  // namespace
 
 std::string program_file(const std::string& command) {
-  std::istringstream words(command);
   std::error_code ignored;
-  for (std::string word; words >> word;) {
+  for (const std::string& word : words_of(command)) {
     if (std::filesystem::is_regular_file(word, ignored)) return word;
   }
   return "";
@@ -197,7 +225,8 @@ std::string program_file(const std::string& command) {
 
 std::string program_name(const std::string& command) {
   std::string file = program_file(command);
-  if (file.empty()) std::istringstream(command) >> file;
+  const std::vector<std::string> words = words_of(command);
+  if (file.empty() && !words.empty()) file = words.front();
   return std::filesystem::path(file).stem().string();
 }
 

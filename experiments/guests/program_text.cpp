@@ -88,7 +88,7 @@ class AnswerReader {
     if (row.empty() || (line == 1 && row == headings_)) return;
     const std::vector<std::string> fields = fields_of(row);
     const std::optional<std::size_t> primitive = whole_number(fields[0]);
-    const std::string place = fmt::format("line {} of what it wrote, {}", line, in_quotes(row));
+    const std::string place = fmt::format("writes {} in line {}", in_quotes(row), line);
     if (!primitive) {
       answers_.wrong = fmt::format("{}: expected a row of {}", place, headings_);
     } else if (*primitive >= answers_.polygons.size()) {

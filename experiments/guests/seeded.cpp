@@ -93,6 +93,7 @@ Contestant seeded(const BugInfo& info, const Format& format) {
   c.promise = no_promise();
   c.takes_clip_space = true;
   c.is_guest = true;
+  c.brought_by = kept_text(fmt::format("--clipper {}", c.clipper));
   c.prepare = [bug = info.bug, &format](std::span<const Batch> batches) -> std::unique_ptr<Runner> {
     return std::make_unique<SeededRunner>(bug, format, batches);
   };

@@ -72,6 +72,12 @@ void misbehave(const Call& call, std::size_t i, std::size_t at) {
   if (is("write_input")) const_cast<float*>(task.floats)[0] = 1;
   if (is("read_beyond")) call.answer.floats[at] = task.floats[task.vertices * task.stride];
   if (is("descend")) call.answer.ends[i] = i == 0 ? 1 : call.answer.ends[i - 1] - 1;
+  if (is("writes_later")) {
+    std::thread([ends = call.answer.ends] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      ends[0] = std::size_t{1} << 40;
+    }).detach();
+  }
   if (is("nan")) call.answer.floats[at] = std::nanf("");
 }
 

@@ -2,10 +2,12 @@
 //
 // Whatever a plug-in does wrong is an outcome of the primitive that it does it to, and the others
 // are answered.
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <span>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "experiments/guests/plugin.hpp"
@@ -107,6 +109,19 @@ TEST_CASE("plug-in: NaN stays in the answer, to be judged") {
   const Answers answers = clip(misbehaving_guest("nan"), triangles.batch());
   REQUIRE(answers[2].failure() == nullptr);
   CHECK(std::isnan(answers[2][0][0].value));
+}
+
+TEST_CASE(
+    "plug-in: one that writes to its output after it has returned is found, and harms nobody") {
+  const MarkedBatch triangles(5, 0);
+  const Batch batch = triangles.batch();
+  const auto runner = misbehaving_guest("writes_later").prepare(std::span(&batch, 1));
+  runner->clip(0, 0, 5);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  const Answers answers = runner->answers();
+  REQUIRE(answers.size() == 5);
+  REQUIRE(answers[0].failure() != nullptr);
+  CHECK(answers[0].failure()->reason == "changes its answer after it was given");
 }
 
 TEST_CASE("plug-in: many failures are found each, and the answers between them") {

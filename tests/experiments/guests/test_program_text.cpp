@@ -64,9 +64,8 @@ TEST_CASE("program text: what is no answer is named, with its line") {
     CHECK(a.polygons[1].wrong.empty());
     return a.wrong + a.polygons[0].wrong;
   };
-  CHECK_THAT(
-      wrong("0,0,1,2,3,4\nhello\n"),
-      Catch::Contains("line 2 of what it wrote, 'hello': expected a row of triangle,vertex"));
+  CHECK_THAT(wrong("0,0,1,2,3,4\nhello\n"),
+             Catch::Contains("writes 'hello' in line 2: expected a row of triangle,vertex"));
   CHECK_THAT(wrong("2,0,1,2,3,4\n"),
              Catch::Contains("there is no triangle 2; it was asked about 2"));
   CHECK_THAT(wrong("0,1,1,2,3,4\n"), Catch::Contains("vertex '1' is out of order, expected 0"));

@@ -45,6 +45,7 @@ TEST_CASE("seeded: a bug is a guest once it was asked for by name, once in each 
   const Contestant* const guest = find("seeded/skips_left", kFormat<float>);
   REQUIRE(guest != nullptr);
   CHECK(guest->is_guest);
+  CHECK(options_of(*guest) == "--clipper seeded/skips_left --scalar float");
   CHECK(find("seeded/skips_left", kFormat<Exact>) != nullptr);
   CHECK(find("seeded/skips_left", kFormat<double>) == nullptr);
 }

@@ -9,7 +9,7 @@ import math
 import os
 import sys
 
-EPSILON = 1e-5
+EPSILON = 1e-3
 ATTRIBUTES = int(os.environ.get("CLIPSCOPE_ATTRIBUTES", 0))
 PLANES = [(axis, side) for axis in range(3) for side in (1, -1)]
 

@@ -2,22 +2,51 @@
 #include "experiments/shrink/shrink.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "experiments/contestants/scalars.hpp"
 #include "experiments/shrink/simpler_cases.hpp"
 
 namespace clipscope::experiments {
 namespace {
 
+// The determinant of three of a vertex's homogeneous coordinates, all but `left_out`.
+Exact minor_without(int left_out, const HardCase& c) {
+  std::array<std::array<Exact, 3>, 3> m;
+  for (std::size_t v = 0; v < 3; ++v) {
+    for (std::size_t i = 0, k = 0; k < 4; ++k) {
+      if (static_cast<int>(k) != left_out) m[v][i++] = Exact(c.vertices[v].position[k]);
+    }
+  }
+  return Exact(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+               m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+               m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
+}
+
+// Whether it is a triangle whose vertices lie on a line of projective space.
+bool is_degenerate(const HardCase& c) {
+  if (c.primitive != Primitive::triangle || c.vertices.size() != 3) return false;
+  for (int left_out = 0; left_out < 4; ++left_out) {
+    if (minor_without(left_out, c) != Exact(0)) return false;
+  }
+  return true;
+}
+
 class Shrinker {
  public:
   Shrinker(const Failing& failing, const ShrinkLimits& limits, Shrunk& shrunk)
-      : failing_(failing), limits_(limits), shrunk_(shrunk) {
+      : failing_(failing),
+        limits_(limits),
+        shrunk_(shrunk),
+        may_degenerate_(is_degenerate(shrunk.hard_case)) {
     shrunk_.excess = failing_(std::span(&shrunk_.hard_case, 1)).front();
     floor_ = std::min(shrunk_.excess, kComfortableExcess);
+    has_threshold_ = std::isfinite(shrunk_.excess);
   }
 
   // Whether the case became smaller.
@@ -32,7 +61,7 @@ class Shrinker {
     std::optional<Found> best;
     std::vector<CoordinateChange> good;
     for (std::size_t i = 0; i < order.size(); ++i) {
-      if (!(excess[i] >= floor_)) continue;
+      if (!fails_likewise(cases[order[i]], excess[i])) continue;
       keep_cheaper({cases[order[i]], excess[i]}, best);
       if (order[i] < changes.size()) good.push_back(changes[order[i]]);
     }
@@ -52,6 +81,13 @@ class Shrinker {
     HardCase hard_case;
     double excess;
   };
+
+  // A failure that has no threshold, such as a NaN, is another one than what is beyond a threshold,
+  // and what becomes of a triangle without area is not what was asked.
+  bool fails_likewise(const HardCase& c, double excess) const {
+    return excess >= floor_ && std::isfinite(excess) == has_threshold_ &&
+           (may_degenerate_ || !is_degenerate(c));
+  }
 
   static void keep_cheaper(Found found, std::optional<Found>& best) {
     if (!best || cost_of(found.hard_case) < cost_of(best->hard_case)) best = std::move(found);
@@ -101,7 +137,7 @@ class Shrinker {
     }
     const std::vector<double> excess = ask(together);
     for (std::size_t i = 0; i < together.size(); ++i) {
-      if (excess[i] >= floor_) keep_cheaper({together[i], excess[i]}, best);
+      if (fails_likewise(together[i], excess[i])) keep_cheaper({together[i], excess[i]}, best);
     }
   }
 
@@ -109,6 +145,7 @@ class Shrinker {
   const ShrinkLimits& limits_;
   Shrunk& shrunk_;
   double floor_ = 0;
+  bool has_threshold_ = false, may_degenerate_;
 };
 
 }  // namespace

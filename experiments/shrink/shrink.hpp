@@ -18,8 +18,8 @@
 
 namespace clipscope::experiments {
 
-// A class with a threshold is kept at a comfortable distance from it: what is taken exceeds it at
-// least so many times, or as much as the case that was given.
+// A triangle that has an area keeps one. A class with a threshold is kept, and at a comfortable
+// distance from it: what is taken exceeds it at least so many times, or as much as the case given.
 inline constexpr double kComfortableExcess = 2;
 
 struct ShrinkLimits {

@@ -57,12 +57,35 @@ double largest(const HardCase& c) {
 
 }  // namespace
 
-TEST_CASE("shrink: what always fails ends in zeros in the standard volume without attributes") {
+TEST_CASE("shrink: what always fails ends in a triangle of ones in the standard volume") {
   const Shrunk shrunk = shrink(long_case(), by_property([](const HardCase&) { return kInfinity; }));
   const HardCase& c = shrunk.hard_case;
   CHECK(c.attribute_count == 0);
   CHECK(c.volume == ClipVolume{});
+  std::size_t ones = 0;
+  for (const auto& v : c.vertices) {
+    for (const double x : v.position) {
+      CHECK((x == 0 || x == 1));
+      ones += x == 1;
+    }
+  }
+  CHECK(ones == 3);  // with fewer it has no area
+}
+
+TEST_CASE("shrink: what has no area may lose all of its numbers") {
+  HardCase flat = long_case();
+  flat.vertices[2] = flat.vertices[1];
+  const HardCase c = shrink(flat, by_property([](const HardCase&) { return kInfinity; })).hard_case;
   for (const auto& v : c.vertices) CHECK(v.position == std::array<double, 4>{0, 0, 0, 0});
+}
+
+TEST_CASE("shrink: what is beyond a threshold does not become what has none") {
+  const auto excess = [](const HardCase& c) {
+    return c.attribute_count == 0 ? kInfinity : largest(c);
+  };
+  const Shrunk shrunk = shrink(long_case(), by_property(excess));
+  CHECK(std::isfinite(shrunk.excess));
+  CHECK(shrunk.hard_case.attribute_count == 1);
 }
 
 TEST_CASE("shrink: a case keeps a distance of 2 from the threshold, or its own") {

@@ -7,11 +7,14 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "experiments/contestants/fewer_attributes.hpp"
 #include "experiments/judge/bit_promise.hpp"
 #include "experiments/judge/exact_questions.hpp"
 #include "experiments/judge/promise.hpp"
+#include "experiments/judge/variants.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -47,10 +50,6 @@ class BatchExamination {
 
   Examined examine(std::size_t triangle) const {
     Examined examined;
-    if (const Failure* failure = given_[triangle].failure()) {
-      note(Question::total, Found::broken(failure->reason), examined);
-      return examined;
-    }
     const std::string failure = bits_.failure(triangle);
     if (!failure.empty()) note(Question::total, Found::broken(failure), examined);
     examine_bits(triangle, examined);
@@ -182,6 +181,51 @@ Questions usually_asked(const Contestant& contestant) {
   return {Question::total, Question::contained, Question::covers, Question::winding};
 }
 
+namespace {
+
+bool has_failures(const Answers& answers) {
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    if (answers[i].failure() != nullptr) return true;
+  }
+  return false;
+}
+
+Examined examined_without_answer(const Failure& failure) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  return {.judged = {Question::total},
+          .violations = {{Question::total, failure.reason, kInfinite}}};
+}
+
+// Where some have no answer: the others are examined without them, so that who crashes does it once
+// and takes nobody along. Guests alone leave out answers, whose numbers are doubles at most.
+std::vector<Examined> examine_answered(const Contestant& contestant, const Batch& batch,
+                                       const Questions& asked, const Answers& given) {
+  std::vector<Examined> examined(batch.size());
+  std::vector<std::size_t> answered;
+  std::vector<double> numbers;
+  Answers given_of_rest(given.format(), given.stride());
+  const std::size_t size = 3 * batch.stride();  // of a triangle
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (const Failure* failure = given[i].failure()) {
+      examined[i] = examined_without_answer(*failure);
+      continue;
+    }
+    answered.push_back(i);
+    for (std::size_t n = i * size; n < (i + 1) * size; ++n) numbers.push_back(batch.number(n));
+    for (const VertexView& v : given[i]) {
+      for (std::size_t n = 0; n < v.size(); ++n) given_of_rest.add(v[n].value);
+    }
+    given_of_rest.end_polygon();
+  }
+  if (answered.empty()) return examined;
+  const Variant rest(batch, std::move(numbers));
+  std::vector<Examined> of_rest = examine(contestant, rest.batch(), asked, given_of_rest);
+  for (std::size_t i = 0; i < answered.size(); ++i) examined[answered[i]] = std::move(of_rest[i]);
+  return examined;
+}
+
+}  // namespace
+
 std::vector<Examined> examine(const Contestant& contestant, const Batch& batch,
                               const Questions& asked, const Answers& given) {
   if (batch.size() == 0) return {};
@@ -189,6 +233,7 @@ std::vector<Examined> examine(const Contestant& contestant, const Batch& batch,
     const NarrowBatch narrow(batch, contestant.most_attributes);  // which was answered
     return examine(contestant, narrow.batch(), asked, given);
   }
+  if (has_failures(given)) return examine_answered(contestant, batch, asked, given);
   const BatchExamination examination(contestant, batch, asked, given);
   std::vector<Examined> examined(batch.size());
   if (examined.size() == 1) {

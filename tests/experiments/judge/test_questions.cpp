@@ -84,14 +84,28 @@ TEST_CASE("questions: a NaN is not total, and nothing else hides it") {
 }
 
 TEST_CASE("questions: a crash is not total, and is blamed for nothing else") {
-  const Contestant guest =
-      guest_like(kChain, kHonest, [](const GuestCall& call) { return call.primitive == 5; });
-  const auto found = examined(guest, random_triangles(20), Questions::all());
+  const Triangles triangles = random_triangles(20);
+  const auto is_bad = [&](const Batch& batch, std::size_t t) {
+    return batch.number(3 * t * batch.stride()) == double{triangles[5][0].position[0]};
+  };
+  // Beside the bad one, all others get something else when they are asked again.
+  const Spoil spoil = [&](const GuestCall& call, Numbers& polygon) {
+    for (std::size_t t = 0; call.call > 0 && t < call.batch.size(); ++t) {
+      if (is_bad(call.batch, t)) polygon.clear();
+    }
+  };
+  const Contestant guest = guest_like(
+      kChain, spoil, [&](const GuestCall& call) { return is_bad(call.batch, call.primitive); });
+  const auto found = examined(guest, triangles, Questions::all());
   REQUIRE(found[5].violations.size() == 1);
   CHECK(found[5].violations[0].question == Question::total);
   CHECK(found[5].violations[0].reason == "the process ended by signal 11");
   CHECK(found[5].judged == Questions{Question::total});
-  CHECK(found[6].judged.contains(Question::covers));
+  for (const std::size_t other : {std::size_t{4}, std::size_t{6}}) {
+    CHECK(found[other].judged.contains(Question::covers));
+    CHECK(found[other].violation(Question::steady) == nullptr);
+    CHECK(found[other].violation(Question::total) == nullptr);
+  }
 }
 
 TEST_CASE("questions: a crash on a triangle that is rotated alone says so") {

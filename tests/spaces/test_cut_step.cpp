@@ -73,6 +73,18 @@ ClipTriangle<T, K> some_triangle(std::mt19937_64& random, int i) {
   return triangle;
 }
 
+// The clipper's polygon before the divide, in clip space in the usual volume, or in view space.
+// Functions, since what is discarded in a generic lambda is still looked up where it depends on
+// nothing but that lambda's caller.
+template <class C, class T>
+ClipPolygon<T, K> cut(const ClipTriangle<T, K>& triangle) {
+  return C::cut({}, triangle);
+}
+template <class C, class T>
+ViewPolygon<T, K> cut(const Projection<T>& projection, const ViewTriangle<T, K>& triangle) {
+  return C::cut(projection, triangle);
+}
+
 // What the clipper's own divide makes of its polygon.
 template <class C, class T>
 NdcPolygon<T, K> divided_cut(const ClipVolume& volume, const ClipTriangle<T, K>& triangle) {
@@ -144,7 +156,7 @@ TEST_CASE("cut step: vertices are finite and in front of the eye, three or more"
         for (int i = 0; i < 3000; ++i) {
           const ClipTriangle<T, K> triangle =
               i % 2 == 0 ? some_triangle<T>(random, i) : clip_triangle<T>(wide_corners(random));
-          const ClipPolygon<T, K> polygon = C::cut({}, triangle);
+          const ClipPolygon<T, K> polygon = cut<C>(triangle);
           CAPTURE(i);
           REQUIRE(is_proper(polygon));
           for (const ClipVertex<T, K>& v : polygon) REQUIRE(0 <= v.position[3]);
@@ -177,7 +189,7 @@ TEST_CASE("cut step: in view space the polygon, projected and divided, has the a
           Corners corners = i % 2 == 0 ? random_corners(random, 4) : lattice_corners(random);
           const ViewTriangle<T, K> triangle = view_triangle<T>(corners);
           projection.volume.open_sides = i % 4 == 0;
-          const ViewPolygon<T, K> polygon = C::cut(projection, triangle);
+          const ViewPolygon<T, K> polygon = cut<C>(projection, triangle);
           CAPTURE(i);
           REQUIRE(is_proper(polygon));
           ClipPolygon<T, K> projected;

@@ -25,6 +25,22 @@ Answers answer_of(const Vertices& vertices) {
 // The numbers of a polygon, vertex by vertex.
 using Numbers = std::vector<std::vector<double>>;
 
+inline Numbers numbers_of(const PolygonView& polygon) {
+  Numbers numbers;
+  for (const VertexView& v : polygon) {
+    auto& vertex = numbers.emplace_back();
+    for (std::size_t k = 0; k < v.size(); ++k) vertex.push_back(v[k].value);
+  }
+  return numbers;
+}
+
+inline void add_polygon(const Numbers& polygon, Answers& answers) {
+  for (const auto& vertex : polygon) {
+    for (const double x : vertex) answers.add(x);
+  }
+  answers.end_polygon();
+}
+
 class AlteredRunner final : public Runner {
  public:
   AlteredRunner(std::unique_ptr<Runner> honest, std::function<void(Numbers&)> change)
@@ -37,16 +53,9 @@ class AlteredRunner final : public Runner {
     const Answers honest = honest_->answers();
     Answers answers(honest.format(), honest.stride());
     for (std::size_t i = 0; i < honest.size(); ++i) {
-      Numbers polygon;
-      for (const VertexView& v : honest[i]) {
-        auto& numbers = polygon.emplace_back();
-        for (std::size_t k = 0; k < v.size(); ++k) numbers.push_back(v[k].value);
-      }
+      Numbers polygon = numbers_of(honest[i]);
       change_(polygon);
-      for (const auto& vertex : polygon) {
-        for (const double x : vertex) answers.add(x);
-      }
-      answers.end_polygon();
+      add_polygon(polygon, answers);
     }
     return answers;
   }

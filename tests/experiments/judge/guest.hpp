@@ -44,16 +44,9 @@ class GuestRunner final : public Runner {
         answers.fail({Failure::Kind::crashed, "the process ended by signal 11"});
         continue;
       }
-      Numbers polygon;
-      for (const VertexView& v : honest[i]) {
-        auto& numbers = polygon.emplace_back();
-        for (std::size_t k = 0; k < v.size(); ++k) numbers.push_back(v[k].value);
-      }
+      Numbers polygon = numbers_of(honest[i]);
       if (spoil_) spoil_(call, polygon);
-      for (const auto& vertex : polygon) {
-        for (const double x : vertex) answers.add(x);
-      }
-      answers.end_polygon();
+      add_polygon(polygon, answers);
     }
     return answers;
   }

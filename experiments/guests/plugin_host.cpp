@@ -25,6 +25,7 @@
 #include "experiments/guests/plugin_said.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/machine/measuring.hpp"
+#include "experiments/table/utf8.hpp"
 #include "spaces/plugin/guarded.hpp"
 
 extern char** environ;
@@ -48,9 +49,9 @@ std::string last_words(const std::string& printed) {
   for (std::string line; found < 2 && std::getline(lines, line);) {
     const std::size_t first = line.find_first_not_of(" \t\r");
     if (first == std::string::npos) continue;
-    words += (found++ == 0 ? ", printing: " : " ") + line.substr(first);
+    words += (found++ == 0 ? ", printing: " : " ") + visible_utf8(line.substr(first));
   }
-  return words.substr(0, kMostBytes);
+  return valid_utf8(words.substr(0, kMostBytes), "");
 }
 
 // Lets it print to the pipe, and read nothing.

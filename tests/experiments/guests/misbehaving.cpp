@@ -55,8 +55,8 @@ void misbehave(const Call& call, std::size_t i, std::size_t at) {
   const std::size_t all = call.answer.capacity * call.answer.stride;
   if (is("crash")) *const_cast<volatile int*>(static_cast<int*>(nullptr)) = 1;
   if (is("abort")) std::abort();
-  if (is("last_words")) {
-    std::puts("\nmine: an invariant is broken");
+  if (is("last_words") || is("last_bytes")) {
+    std::puts(is("last_words") ? "\nmine: an invariant is broken" : "bad \377 byte");
     std::fflush(stdout);
     std::abort();
   }

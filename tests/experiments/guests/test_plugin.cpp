@@ -59,6 +59,7 @@ TEST_CASE("plug-in: one that ends its process is found with its primitive") {
       {{"crash", "was ended by SIGSEGV"},
        {"abort", "was ended by SIGABRT"},
        {"last_words", "was ended by SIGABRT, printing: mine: an invariant is broken"},
+       {"last_bytes", "was ended by SIGABRT, printing: bad <0xFF> byte"},
        {"exit", "ended its process with exit code 3"},
        {"stack", "was ended by SIGSEGV"},
        {"write_beyond", "wrote beyond the end of its output"},

@@ -124,8 +124,7 @@ class Forms {
   }
 
   void add_triangles() {
-    add("rotated",
-        [](DrawCall& call) { std::ranges::rotate(call.vertices, call.vertices.begin() + 1); });
+    add("rotated", [](DrawCall& call) { rotate(call, 1); });
     add("reversed", [](DrawCall& call) { std::ranges::reverse(call.vertices); });
     if (plain_.vertices.size() == 3) add_twice_rotated_and_strips();
     add("fan", [](DrawCall& call) {
@@ -138,8 +137,7 @@ class Forms {
   }
 
   void add_twice_rotated_and_strips() {
-    add("rotated twice",
-        [](DrawCall& call) { std::ranges::rotate(call.vertices, call.vertices.begin() + 2); });
+    add("rotated twice", [](DrawCall& call) { rotate(call, 2); });
     const auto add_fourth = [](DrawCall& call) {
       const std::vector<DrawVertex>& v = call.vertices;
       call.vertices.push_back(parallelogram(v[0], v[1], v[2]));

@@ -13,29 +13,6 @@
 namespace clipscope::experiments::commands {
 namespace {
 
-// Text or the value of an attribute. What XML 1.0 can't hold at all, control characters, becomes
-// U+FFFD; a line break in an attribute would be read as a blank.
-std::string xml_escaped(const std::string& text) {
-  std::string escaped;
-  for (const char c : valid_utf8(text)) {
-    switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      case '\n': escaped += "&#10;"; break;
-      case '\t': escaped += "&#9;"; break;
-      default:
-        if (static_cast<unsigned char>(c) < 0x20) {
-          escaped += "\xEF\xBF\xBD";
-        } else {
-          escaped += c;
-        }
-    }
-  }
-  return escaped;
-}
-
 struct TestCase {
   std::string source, promise;
   std::string failure = "", details = "";  // empty: it passed

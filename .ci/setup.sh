@@ -28,6 +28,8 @@ packages=(
   python3                                     # an example of a program as a clipper
 )
 # shellcheck disable=SC2034  # for the scripts
+python_packages=(python3-dev python3-numpy python3-venv pybind11-dev) # of the Python package
+# shellcheck disable=SC2034
 sanitize_packages=(clang-14 libclang-rt-14-dev) # of the preset `sanitize`
 
 # One line per step, with the seconds since the start.

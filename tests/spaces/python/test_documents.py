@@ -55,6 +55,18 @@ class Package(unittest.TestCase):
         for path in PACKAGE.glob("*.py"):
             self.assertIn("SPDX-License-Identifier: MIT", path.read_text(), path)
 
+    def test_a_picture_holds_every_polygon(self):
+        try:
+            import matplotlib
+        except ImportError:
+            with self.assertRaisesRegex(ImportError, "python3-matplotlib"):
+                clipscope.plot(None)
+            return
+        matplotlib.use("Agg")
+        triangles = [[[0, 0, 0, 1], [2, 0, 0, 1], [0, 2, 0, 1]], [[5, 5, 0, 1]] * 3, [[0, 0, 0, 1], [1, 0, 0, 1], [0, 1, 0, 1]]]
+        ax = clipscope.plot(clipscope.clip(triangles, space="clip"))
+        self.assertEqual(len(ax.patches), 1 + 2)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/drawcalls/wire.hpp"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <bit>
 #include <cerrno>
 #include <cstring>
+#include <thread>
 #include <type_traits>
 #include <utility>
 
@@ -228,6 +230,16 @@ bool write_all(int file, const char* from, std::size_t size) {
          size;
 }
 
+// A driver that hangs would outlive the program otherwise.
+void end_with_program() {
+  std::thread([] {
+    pollfd end{.fd = kHostSocket, .events = 0, .revents = 0};
+    while (poll(&end, 1, -1) <= 0) {
+    }
+    _exit(0);
+  }).detach();
+}
+
 }  // namespace
 
 std::string to_bytes(const Greeting& greeting) { return bytes_of(greeting); }
@@ -269,12 +281,13 @@ bool write_frame(int file, std::span<const char> bytes) {
 }
 
 int serve(Driver* driver, const std::string& reason_for_none) {
+  end_with_program();
   const Greeting greeting = driver ? Greeting(driver->info()) : Greeting(reason_for_none);
-  if (!write_frame(STDOUT_FILENO, to_bytes(greeting)) || !driver) return driver ? 1 : 0;
-  while (const std::optional<std::string> frame = read_frame(STDIN_FILENO)) {
+  if (!write_frame(kHostSocket, to_bytes(greeting)) || !driver) return driver ? 1 : 0;
+  while (const std::optional<std::string> frame = read_frame(kHostSocket)) {
     const std::optional<DrawCall> call = draw_call_of(*frame);
     if (!call) return 1;
-    if (!write_frame(STDOUT_FILENO, to_bytes(driver->draw(*call)))) return 1;
+    if (!write_frame(kHostSocket, to_bytes(driver->draw(*call)))) return 1;
   }
   return 0;
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How the program and the process that has a driver in it talk: frames over its standard input and
-// output, each a length (32 bits, of this machine's byte order) and so many bytes.
+// How the program and the process that has a driver in it, its host, talk: frames over a socket,
+// each a length (32 bits, of this machine's byte order) and so many bytes. The host has it as
+// kHostSocket; a driver may print, and what it prints is its last words.
 //
 //   host to program, once      a Greeting: who the driver is, or why there is none
 //   program to host            a DrawCall
 //   host to program            what was Drawn
 //
-// The end of standard input ends the host.
+// The end of the program, or of its side of the socket, ends the host whatever it does meanwhile.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,7 @@
 
 namespace clipscope::experiments {
 
+inline constexpr int kHostSocket = 3;
 inline constexpr std::uint32_t kMostFrameBytes = std::uint32_t{1} << 30;
 
 // Or why there is no driver, for people.
@@ -39,7 +41,7 @@ std::optional<Drawn> drawn_of(std::span<const char> bytes);
 std::optional<std::string> read_frame(int file);
 bool write_frame(int file, std::span<const char> bytes);
 
-// The whole of a host's life: greets, and draws what it is asked for until its input ends. A null
+// The whole of a host's life: greets, and draws what it is asked for until the program ends. A null
 // driver greets with the reason. Returns the process's exit code.
 int serve(Driver* driver, const std::string& reason_for_none);
 

@@ -22,6 +22,7 @@
 #include <thread>
 #include <utility>
 
+#include "experiments/guests/child.hpp"
 #include "experiments/guests/plugin_said.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/machine/measuring.hpp"
@@ -41,7 +42,7 @@ constexpr double kAwakeUs = 10, kHostAwakeUs = 60, kTimedAwakeUs = 5000;
 std::string error_text(int error) { return std::strerror(error); }
 
 // The first two lines that say something, as the end of a reason; empty if there are none.
-std::string last_words(const std::string& printed) {
+std::string first_words(const std::string& printed) {
   constexpr std::size_t kMostBytes = 240;
   std::string words;
   std::istringstream lines(printed);
@@ -101,16 +102,11 @@ bool SharedArea::reserve(std::size_t bytes) {
 }
 
 std::filesystem::path file_of_program(const std::string& name) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-  for (const fs::path& folder :
-       {program, program / CLIPSCOPE_INSTALLED_FOLDER, fs::path(CLIPSCOPE_BUILT_FOLDER)}) {
-    if (fs::exists(folder / name, ignored)) return folder / name;
-  }
+  std::filesystem::path file = file_beside_program(name);
+  if (!file.empty()) return file;
   throw GuestError(fmt::format(
       "{} is missing, without which no plug-in can be asked; expected it beside the program, in {}",
-      name, program.string()));
+      name, folder_of_program().string()));
 }
 
 PluginHost::PluginHost(const std::string& library, const std::vector<int>& processors)
@@ -197,7 +193,7 @@ std::optional<Failure> PluginHost::ask(plugin::Order order, double seconds) {
   if (!has_ended()) {
     end();
     return Failure{Failure::Kind::timed_out, fmt::format("does not end within {:g} s{}", seconds,
-                                                         last_words(read_printed()))};
+                                                         first_words(read_printed()))};
   }
   control().fault = plugin::Fault::none;
   return failure_of_end();
@@ -294,7 +290,7 @@ void PluginHost::end() {
 
 Failure PluginHost::failure_of_end() const {
   Failure failure = experiments::failure_of_end(control(), status_);
-  failure.reason += last_words(read_printed());
+  failure.reason += first_words(read_printed());
   return failure;
 }
 

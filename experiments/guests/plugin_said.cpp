@@ -2,13 +2,12 @@
 #include "experiments/guests/plugin_said.hpp"
 
 #include <fmt/format.h>
-#include <signal.h>
-#include <string.h>
 #include <sys/wait.h>
 
 #include <string_view>
 #include <utility>
 
+#include "experiments/guests/child.hpp"
 #include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments {
@@ -29,11 +28,6 @@ std::string reach_text(const plugin::Reach& reach) {
                          side = word_for(reach.side, kSides), thing = word_for(reach.use, kThings);
   if (access.empty() || side.empty() || thing.empty()) return "reached beyond its memory";
   return fmt::format("{} {} {}", access, side, thing);
-}
-
-std::string signal_text(int number) {
-  const char* name = sigabbrev_np(number);
-  return name == nullptr ? fmt::format("signal {}", number) : fmt::format("SIG{}", name);
 }
 
 }  // namespace

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/guests/process.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -17,13 +14,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <sstream>
 #include <thread>
-#include <utility>
-#include <vector>
 
+#include "experiments/guests/child.hpp"
 #include "experiments/machine/errors.hpp"
-#include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -36,24 +30,6 @@ constexpr std::size_t kLastErrors = 4096;  // bytes of standard error that are k
   throw GuestError(fmt::format("no process can be started: {}: {}", what, std::strerror(errno)));
 }
 
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  ~Descriptor() {
-    if (number_ >= 0) close(number_);
-  }
-  int number() const { return number_; }
-  bool is_open() const { return number_ >= 0; }
-
- private:
-  int number_;
-};
-
 // An open file that holds the text, from its beginning on.
 Descriptor file_of(std::string_view text) {
   Descriptor file(memfd_create("input", MFD_CLOEXEC));
@@ -65,55 +41,6 @@ Descriptor file_of(std::string_view text) {
   }
   lseek(file.number(), 0, SEEK_SET);
   return file;
-}
-
-struct Pipe {
-  Descriptor read_end, write_end;
-};
-
-// Closed in every process that is started but where it is given a number of its own.
-Pipe open_pipe() {
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse_to_start("pipe");
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
-}
-
-std::vector<std::string> environment_with(std::span<const std::string> ours,
-                                          std::string_view hidden) {
-  std::vector<std::string> all(ours.begin(), ours.end());
-  for (char** variable = environ; *variable != nullptr; ++variable) {
-    if (!std::string_view(*variable).starts_with(hidden)) all.emplace_back(*variable);
-  }
-  return all;
-}
-
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
-// Leads a process group of its own, so that all of it can be ended.
-pid_t start(const std::string& command, std::vector<std::string> environment, int input, int output,
-            int errors) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  std::vector<std::string> words = {"sh", "-c", command};
-  pid_t process = 0;
-  const int error = posix_spawn(&process, "/bin/sh", &actions, &attributes,
-                                pointers_to(words).data(), pointers_to(environment).data());
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error == 0) return process;
-  errno = error;
-  refuse_to_start("/bin/sh");
 }
 
 // Ends it even where we are gone: the clock on the wall is ours, that of the processor is not.
@@ -162,25 +89,9 @@ void read_pipes(const Descriptor& output, const Descriptor& errors, const Proces
   }
 }
 
-// Whether it ended in time; it can still be waited for. It has closed its pipes, so it ends now or,
-// most likely, not at all.
-bool has_ended(pid_t process, Clock::time_point deadline) {
-  while (true) {
-    siginfo_t info{};
-    const int flags = WEXITED | WNOWAIT | WNOHANG;
-    if (waitid(P_PID, static_cast<id_t>(process), &info, flags) == 0 && info.si_pid == process) {
-      return true;
-    }
-    if (Clock::now() >= deadline) return false;
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-  }
-}
-
 // Ends what is left of its group, and says how the process itself ended.
 void finish(pid_t process, ProcessResult& result) {
-  kill(-process, SIGKILL);
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+  const int status = end_group(process);
   if (result.end != ProcessResult::End::exited) return;
   constexpr int kShellSignal = 128;  // a shell's exit code for a signal that killed its command
   if (WIFSIGNALED(status)) {
@@ -204,38 +115,21 @@ ProcessResult run_process(const std::string& command, std::string_view input,
   const auto allowed = std::chrono::duration<double>(limits.seconds);
   const Clock::time_point deadline =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(allowed);
-  const pid_t process = start(command, environment_with(environment, hidden), file.number(),
-                              output.write_end.number(), errors.write_end.number());
+  const std::array<GivenFile, 3> files = {{{file.number(), STDIN_FILENO},
+                                           {output.write_end.number(), STDOUT_FILENO},
+                                           {errors.write_end.number(), STDERR_FILENO}}};
+  const pid_t process =
+      start_process("/bin/sh", {"sh", "-c", command}, environment_with(environment, hidden), files);
   limit_processor_time(process, limits.seconds);
-  output.write_end = Descriptor(-1);  // so that the pipes end where the process does
-  errors.write_end = Descriptor(-1);
+  output.write_end = Descriptor();  // so that the pipes end where the process does
+  errors.write_end = Descriptor();
   ProcessResult result;
   read_pipes(output.read_end, errors.read_end, limits, deadline, result);
-  if (result.end == ProcessResult::End::exited && !has_ended(process, deadline)) {
+  if (result.end == ProcessResult::End::exited && !ends_before(process, deadline)) {
     result.end = ProcessResult::End::timed_out;
   }
   finish(process, result);
   return result;
-}
-
-std::string last_words(const ProcessResult& result) {
-  constexpr std::size_t kLines = 3, kMostBytes = 300;
-  std::vector<std::string> lines;
-  std::istringstream text(result.errors);
-  for (std::string line; std::getline(text, line);) {
-    line.erase(0, line.find_first_not_of(" \t\r"));
-    line.erase(line.find_last_not_of(" \t\r") + 1);
-    const bool only_marks_a_place = line.find_first_not_of(" ^~") == std::string::npos;
-    if (!only_marks_a_place) lines.push_back(visible_utf8(line));
-  }
-  if (lines.size() > kLines) {
-    lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(kLines));
-  }
-  std::string words = fmt::format("{}", fmt::join(lines, " | "));
-  if (words.size() > kMostBytes) {
-    words = "..." + valid_utf8(words.substr(words.size() - kMostBytes), "");
-  }
-  return words.empty() ? "" : fmt::format(" (standard error: {})", words);
 }
 
 }  // namespace clipscope::experiments

@@ -35,7 +35,4 @@ ProcessResult run_process(const std::string& command, std::string_view input,
                           std::span<const std::string> environment, std::string_view hidden,
                           const ProcessLimits& limits);
 
-// What it said last on standard error, in one line: " (standard error: a | b)"; empty if nothing.
-std::string last_words(const ProcessResult& result);
-
 }  // namespace clipscope::experiments

@@ -12,6 +12,7 @@
 
 #include "experiments/contestants/contestant.hpp"
 #include "experiments/guests/bisect.hpp"
+#include "experiments/guests/child.hpp"
 #include "experiments/guests/process.hpp"
 #include "experiments/guests/program_environment.hpp"
 #include "experiments/guests/program_text.hpp"
@@ -36,7 +37,7 @@ struct Program {
 // How it failed; nothing if it ended as it should.
 std::optional<Failure> failure_of(const ProcessResult& result, const ProcessLimits& limits) {
   using End = ProcessResult::End;
-  const std::string words = last_words(result);
+  const std::string words = last_words(result.errors);
   switch (result.end) {
     case End::killed:
       return Failure{

@@ -24,9 +24,10 @@ double UlpErrors::quantile(double share) const {
 }
 
 void UlpErrors::add(double ulps, const WorstPixel& pixel) {
-  std::size_t bin = 0;
-  while (bin + 1 < kBins && ulps > std::ldexp(1.0, static_cast<int>(bin) - 1)) ++bin;
-  ++bins[bin];
+  // 2^(exponent - 1) < 2 ulps <= 2^exponent.
+  int exponent = 0;
+  if (2 * ulps > 1 && std::frexp(2 * ulps, &exponent) == 0.5) --exponent;
+  ++bins[std::min(static_cast<std::size_t>(std::max(exponent, 0)), kBins - 1)];
   if (ulps <= greatest) return;
   greatest = ulps;
   worst = pixel;

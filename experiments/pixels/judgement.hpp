@@ -19,6 +19,7 @@ namespace clipscope::experiments {
 enum class ViolationKind : std::uint8_t {
   not_finite,      // NaN or infinity where the exact value is a number
   outside_hull,    // beyond the values of the vertices
+  wrong_value,     // of a triangle all inside of the volume: not what the formula gives there
   missing,         // no fragment well inside of the primitive
   extra,           // a fragment well outside of it
   zero_area,       // fragments of a triangle without area
@@ -30,10 +31,10 @@ enum class ViolationKind : std::uint8_t {
   crashed,
   timed_out
 };
-constexpr std::array<std::string_view, 12> names_of(ViolationKind) {
-  return {"not_finite",   "outside_hull",   "missing",    "extra",
-          "zero_area",    "shared_edge",    "flat_value", "facing",
-          "primitive_id", "primitive_lost", "crashed",    "timed_out"};
+constexpr std::array<std::string_view, 13> names_of(ViolationKind) {
+  return {"not_finite",     "outside_hull", "wrong_value", "missing", "extra",
+          "zero_area",      "shared_edge",  "flat_value",  "facing",  "primitive_id",
+          "primitive_lost", "crashed",      "timed_out"};
 }
 
 // The sentence that is broken, in our words.
@@ -82,6 +83,9 @@ struct Judgement {
   std::array<UlpErrors, kQuantities> errors;  // by Quantity
   std::uint64_t pixels = 0;                   // judged: values and coverage
   std::uint64_t undecided = 0;  // within the margin of an edge, where both answers are right
+  // Coverage that the sub-pixel bits don't account for, but the accuracy of the specification's own
+  // arithmetic does: legal, but inexact.
+  std::uint64_t inexact = 0;
   // Why the case is scored apart, beyond the guarantees of the specification (coordinates beyond
   // 2^32, subnormals, relaxed rules of lines): violations of such a case accuse nobody. Empty
   // otherwise.

@@ -24,7 +24,7 @@ Attachment whole(Quantity quantity) {
 Pass first_of_values(const DrawCall& call) {
   Pass pass = {.attachments = {{.parts = {{.quantity = Quantity::covered}}}}};
   for (const Quantity quantity : {Quantity::facing, Quantity::primitive_id}) {
-    const std::size_t texel = quantity == Quantity::facing ? 1 : 2;
+    const std::size_t texel = quantity == Quantity::facing ? kTexelOfFacing : kTexelOfId;
     if (!call.quantities[bit(quantity)]) continue;
     pass.reads.set(bit(quantity));
     pass.attachments[0].parts.push_back({.quantity = quantity, .of_texel = texel});

@@ -18,6 +18,9 @@ namespace clipscope::experiments {
 
 enum class PassKind : std::uint8_t { values, hits, clip_distances };
 
+// Attachment 0 of the values has covered, facing and primitive_id, which is -1 without a fragment.
+inline constexpr std::size_t kTexelOfFacing = 1, kTexelOfId = 2;
+
 // Floats of an attachment that are floats of a quantity.
 struct Part {
   Quantity quantity = Quantity::covered;

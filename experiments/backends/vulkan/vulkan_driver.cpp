@@ -83,6 +83,7 @@ Framebuffer framebuffer_of(VkDevice device, VkRenderPass render_pass,
 void begin_render_pass(VkCommandBuffer commands, VkRenderPass render_pass,
                        VkFramebuffer framebuffer, const Pass& pass, VkExtent2D size) {
   std::vector<VkClearValue> clear(pass.attachments.size());
+  if (pass.kind == PassKind::values) clear[0].color.float32[kTexelOfId] = -1;
   if (is_depth(pass.attachments.back().format)) clear.back().depthStencil.depth = kNoDepth;
   VkRenderPassBeginInfo info = {};
   info.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;

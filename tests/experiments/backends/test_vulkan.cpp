@@ -164,6 +164,7 @@ TEST_CASE("vulkan: hits count each fragment, and later primitives are above earl
     const Pixels pixels = pixels_of(driver, call);
     CHECK(values_at<2>(pixels, Quantity::hits, 0, 0) == std::array<float, 2>{3, 2});
     if (tells_id) CHECK(pixels.at(Quantity::primitive_id, 0, 0) == 2);
+    if (tells_id) CHECK(pixels.at(Quantity::primitive_id, 7, 7) == -1);
   });
 }
 

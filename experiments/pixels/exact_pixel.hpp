@@ -103,8 +103,8 @@ class ExactPrimitive {
   int orientation_ = 0;
 };
 
-// In double. Weights, their sum and det carry 2^-52, inverses, products and sums after them 2^-53, so
-// that the error of the quotient is below 16 * 2^-53 sum |E_i n_i| / |denominator|.
+// In double. Weights, their sum and det carry 2^-52, inverses, products and sums after them 2^-53,
+// so that the error of the quotient is below 16 * 2^-53 sum |E_i n_i| / |denominator|.
 inline Enclosed enclosed(const Interpolant& interpolant, const PixelWeights& at) {
   double numerator = 0, size = 0;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -28,8 +28,8 @@ struct CheckedValue {
   bool is_apart = false;  // nothing is promised of it
 };
 
-// Its error in ulp if the value at the centre itself makes it legal, as it nearly always does; negative
-// if it takes `check` to know.
+// Its error in ulp if the value at the centre itself makes it legal, as it nearly always does;
+// negative if it takes `check` to know.
 inline double ulps_at_centre(const ValueRule& rule, const PixelPlace& place, float returned) {
   const Enclosed exact = enclosed(rule.interpolant, place.at);
   const double ulp = float_ulp(exact.value), error = std::abs(returned - exact.value);

@@ -15,10 +15,10 @@
 
 namespace clipscope::experiments {
 
-// A triangle or a point of a draw call.
+// A triangle, a line or a point of a draw call.
 struct JudgedPrimitive {
   std::vector<std::uint32_t> vertices = {};
-  std::optional<ExactPrimitive> exact = {};  // of a triangle
+  std::optional<ExactPrimitive> exact = {};  // not of a point
   Region region = {};
 
   bool is_triangle() const { return vertices.size() == 3; }

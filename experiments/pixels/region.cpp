@@ -2,8 +2,9 @@
 #include "experiments/pixels/region.hpp"
 
 #include <array>
-#include <functional>
 #include <limits>
+
+#include "experiments/pixels/volume_planes.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -52,36 +53,6 @@ HalfPlane half_plane(const Form& f, const Viewport& port, const Margins& margins
   h.snap = margins.snap_px * per_px;
   h.slack = margins.relative * f.size + margins.window_px * per_px;
   return h;
-}
-
-// What a plane of depth or a clip distance has at a vertex, and that with all terms positive.
-struct PlaneValue {
-  double value = 0, size = 0;
-};
-using PlaneValues = std::vector<std::function<PlaneValue(const DrawVertex&)>>;
-
-PlaneValues planes_in(const ClipVolume& volume) {
-  PlaneValues r;
-  const bool is_symmetric = volume.depth == DepthRange::minus_one_to_one;
-  if (!volume.depth_clamp.near) {
-    r.emplace_back([is_symmetric](const DrawVertex& v) {
-      const double z = v.position[2], w = is_symmetric ? v.position[3] : 0;
-      return PlaneValue{z + w, std::abs(z) + std::abs(w)};
-    });
-  }
-  if (!volume.depth_clamp.far) {
-    r.emplace_back([](const DrawVertex& v) {
-      const double z = v.position[2], w = v.position[3];
-      return PlaneValue{w - z, std::abs(z) + std::abs(w)};
-    });
-  }
-  for (int c = 0; c < volume.clip_distances; ++c) {
-    r.emplace_back([c](const DrawVertex& v) {
-      const double d = v.clip_distances[static_cast<std::size_t>(c)];
-      return PlaneValue{d, std::abs(d)};
-    });
-  }
-  return r;
 }
 
 struct WindowPoint {

@@ -33,7 +33,7 @@ class PrimitiveValues {
         primitive_(primitive),
         provoking_(judge.call.vertices[provoking_vertex(judge.call, number)]),
         facing_(facing_of(judge.call, primitive, is_certain)) {
-    if (!primitive.is_triangle()) rules_ = rules_of_point(judge.call, primitive.vertices[0]);
+    if (!primitive.exact) rules_ = rules_of_point(judge.call, primitive.vertices[0]);
     if (primitive.has_values()) rules_ = rules_of(judge.call, primitive.vertices);
   }
 
@@ -41,7 +41,7 @@ class PrimitiveValues {
     judge_whole_numbers(x, y);
     judge_flat(x, y);
     if (rules_.empty()) return;
-    if (!primitive_.is_triangle()) {
+    if (!primitive_.exact) {
       for (const ValueRule& rule : rules_)
         settle(rule, check_constant(rule, returned(rule, x, y)), x, y);
       return;

@@ -10,6 +10,7 @@
 #include "experiments/commands/options.hpp"
 #include "experiments/draw/vector_page.hpp"
 #include "experiments/scenes/gltf_camera.hpp"
+#include "experiments/table/json_text.hpp"
 
 namespace clipscope::experiments::commands {
 namespace {
@@ -92,7 +93,7 @@ int describe_camera(const CameraCommand& options) {
   if (options.json) {
     nlohmann::json json = meaning_json(meaning);
     json["given"] = given.origin;
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", json_text(json, 2));
   } else {
     fmt::print("given:        {}\n{}", given.origin,
                meaning_text(meaning, options.depth.has_value()));

@@ -17,6 +17,7 @@
 #include "experiments/survey/case_batch.hpp"
 #include "experiments/survey/draw_scene.hpp"
 #include "experiments/survey/verdicts.hpp"
+#include "experiments/table/json_text.hpp"
 #include "reference/convex.hpp"
 
 namespace clipscope::experiments::commands {
@@ -172,7 +173,7 @@ int explain(const ExplainOptions& options) {
     nlohmann::json json = answer_json(explanation);
     json["name"] = hard_case.name;
     json["input"] = spaces_json(hard_case, *contestant.format);
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", json_text(json, 2));
   } else {
     print_heading(hard_case);
     print_spaces(hard_case, *contestant.format);

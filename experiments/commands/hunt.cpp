@@ -22,6 +22,7 @@
 #include "experiments/machine/shell_word.hpp"
 #include "experiments/store/run_folder.hpp"
 #include "experiments/store/run_recorder.hpp"
+#include "experiments/table/json_text.hpp"
 
 namespace clipscope::experiments::commands {
 namespace {
@@ -320,7 +321,7 @@ int run_hunt(HuntCommandOptions options) {
     }
   }
   store.finish(seconds);
-  if (options.selection.json) fmt::print("{}\n", nlohmann::json{{"hunts", hunts}}.dump(2));
+  if (options.selection.json) fmt::print("{}\n", json_text(nlohmann::json{{"hunts", hunts}}, 2));
   return kExitOk;
 }
 

@@ -12,6 +12,7 @@
 #include "experiments/report/experiment.hpp"
 #include "experiments/scenes/builtin.hpp"
 #include "experiments/selection/select.hpp"
+#include "experiments/table/json_text.hpp"
 
 namespace clipscope::experiments::commands {
 namespace {
@@ -135,7 +136,7 @@ int list(const ListOptions& options) {
                       : options.what == "scenes"  ? scenes_table()
                                                   : experiments_table();
   if (options.json) {
-    fmt::print("{}\n", table.to_json()["rows"].dump(2));
+    fmt::print("{}\n", json_text(table.to_json()["rows"], 2));
   } else {
     print_list(table);
   }

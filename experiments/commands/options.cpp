@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/commands/options.hpp"
+#include "experiments/table/json_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -133,7 +134,7 @@ void add_out_option(CLI::App& command, std::optional<std::string>& out) {
 
 void print_table(const Table& table, bool json, const std::optional<std::string>& out) {
   if (out) table.write(*out);
-  fmt::print("{}\n", json ? table.to_json().dump(2) : table.to_text());
+  fmt::print("{}\n", json ? json_text(table.to_json(), 2) : table.to_text());
 }
 
 void add_format_option(CLI::App& command, std::string& format) {
@@ -147,7 +148,7 @@ std::string formatted(const Table& table, const std::string& format) {
   if (format == "markdown") return table.to_markdown();
   if (format == "csv") return table.to_csv();
   if (format == "latex") return table.to_latex();
-  if (format == "json") return table.to_json().dump(2) + "\n";
+  if (format == "json") return json_text(table.to_json(), 2) + "\n";
   return table.to_text();
 }
 

@@ -3,6 +3,7 @@
 // clipscope plan: which effects a scene calls for, and why.
 #include "experiments/commands/options.hpp"
 #include "experiments/effects/plan_table.hpp"
+#include "experiments/table/json_text.hpp"
 #include "experiments/table/row.hpp"
 
 namespace clipscope::experiments::commands {
@@ -40,7 +41,7 @@ int print_plans(const PlanCommand& options) {
     }
     all.push_back(table.to_json());
   }
-  if (selection.json) fmt::print("{}\n", all.dump(2));
+  if (selection.json) fmt::print("{}\n", json_text(all, 2));
   return kExitOk;
 }
 

@@ -43,7 +43,7 @@ std::optional<Counterexample> smallest_of(const Verification& verification) {
     Counterexample smallest = *first;
     smallest.triangle = shrink(contestant, first->triangle, question);
     const auto found = examine(contestant, CaseBatch(smallest.triangle), {question});
-    const Violation* violation = found[0].violation(question);
+    const BrokenPromise* violation = found[0].violation(question);
     if (violation == nullptr) return std::nullopt;  // not when it is asked again
     smallest.violation = *violation;
     smallest.triangle.name = word_of(

@@ -11,6 +11,7 @@
 #include "experiments/report/paper.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/store/diff.hpp"
+#include "experiments/table/json_text.hpp"
 #include "experiments/table/row.hpp"
 
 namespace clipscope::experiments::commands {
@@ -122,7 +123,7 @@ int diff(const DiffOptions& options) {
                                  {"moved", moved.to_json()["rows"]},
                                  {"lone", lone.to_json()["rows"]},
                                  {"runs", runs.to_json()["rows"]}};
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", json_text(json, 2));
   } else {
     for (const Table* table : {&runs, &lone, &moved}) {
       if (!table->rows().empty()) fmt::print("{}\n", formatted(*table, options.format));

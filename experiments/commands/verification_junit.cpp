@@ -1,63 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// JUnit's XML, as CI systems read it: there is no standard, so this keeps to what all of them know
-// (testsuites, testsuite, testcase, failure, skipped).
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "experiments/commands/junit.hpp"
 #include "experiments/commands/verification.hpp"
 #include "experiments/machine/errors.hpp"
-#include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments::commands {
 namespace {
 
-// Text or the value of an attribute. What XML 1.0 can't hold at all, control characters, becomes
-// U+FFFD; a line break in an attribute would be read as a blank.
-std::string xml_escaped(const std::string& text) {
-  std::string escaped;
-  for (const char c : valid_utf8(text)) {
-    switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      case '\n': escaped += "&#10;"; break;
-      case '\t': escaped += "&#9;"; break;
-      default:
-        if (static_cast<unsigned char>(c) < 0x20) {
-          escaped += "\xEF\xBF\xBD";
-        } else {
-          escaped += c;
-        }
-    }
-  }
-  return escaped;
-}
-
-struct TestCase {
-  std::string source, promise;
-  std::string failure = "", details = "";  // empty: it passed
-  std::string skipped = "";                // why
-};
-
-std::string xml_of(const TestCase& test, const std::string& clipper) {
-  const std::string head =
-      fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
-                  xml_escaped(clipper + "." + test.source), xml_escaped(test.promise));
-  if (!test.failure.empty()) {
-    return fmt::format("{}>\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n", head,
-                       xml_escaped(test.failure), xml_escaped(test.details));
-  }
-  if (test.skipped.empty()) return head + "/>\n";
-  return fmt::format("{}>\n      <skipped message=\"{}\"/>\n    </testcase>\n", head,
-                     xml_escaped(test.skipped));
-}
-
-TestCase test_case(const SourceFindings& source, Question question) {
+JUnitTest test_case(const SourceFindings& source, Question question) {
   const QuestionTally& tally = source.found.of(question);
-  TestCase test{source.name, std::string(name_of(question))};
+  JUnitTest test{source.name, std::string(name_of(question))};
   if (tally.first) {
     const Counterexample& c = *tally.first;
     test.failure = fmt::format("{}: {}", c.triangle.name, c.violation.reason);
@@ -69,8 +22,8 @@ TestCase test_case(const SourceFindings& source, Question question) {
   return test;
 }
 
-std::vector<TestCase> test_cases(const Verification& verification) {
-  std::vector<TestCase> tests;
+std::vector<JUnitTest> test_cases(const Verification& verification) {
+  std::vector<JUnitTest> tests;
   for (const SourceFindings& source : verification.sources) {
     Questions asked = source.found.asked();
     if (source.found.unanswered > 0) asked.add(Question::total);
@@ -90,19 +43,10 @@ std::vector<TestCase> test_cases(const Verification& verification) {
 }  // namespace
 
 std::string junit_of(const Verification& verification) {
-  const std::vector<TestCase> tests = test_cases(verification);
-  const auto count = [&](std::string TestCase::*what) {
-    return std::ranges::count_if(tests, [&](const TestCase& t) { return !(t.*what).empty(); });
-  };
   const std::string clipper = name_of(verification.sources.front().found.contestant());
-  const std::string counts =
-      fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\"", tests.size(),
-                  count(&TestCase::failure), count(&TestCase::skipped));
-  std::string text = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {}>\n  <testsuite name=\"{}\" {}>\n",
-      counts, xml_escaped("clipscope verify " + clipper), counts);
-  for (const TestCase& test : tests) text += xml_of(test, clipper);
-  return text + "  </testsuite>\n</testsuites>\n";
+  std::vector<JUnitTest> tests = test_cases(verification);
+  for (JUnitTest& test : tests) test.class_name.insert(0, clipper + ".");
+  return junit_text("clipscope verify " + clipper, tests);
 }
 
 }  // namespace clipscope::experiments::commands

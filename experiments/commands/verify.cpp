@@ -13,6 +13,7 @@
 #include "experiments/commands/verification.hpp"
 #include "experiments/commands/verify_sources.hpp"
 #include "experiments/machine/files.hpp"
+#include "experiments/table/json_text.hpp"
 
 namespace clipscope::experiments::commands {
 namespace {
@@ -61,8 +62,8 @@ int verify(const VerifyOptions& options) {
     append_case(*options.corpus_out, verification.smallest->triangle);
   }
   if (options.junit) write_file(*options.junit, junit_of(verification));
-  fmt::print("{}",
-             options.selection.json ? json_of(verification).dump(2) + "\n" : text_of(verification));
+  fmt::print("{}", options.selection.json ? json_text(json_of(verification), 2) + "\n"
+                                          : text_of(verification));
   return exit_code(verification);
 }
 

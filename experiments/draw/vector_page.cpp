@@ -45,25 +45,12 @@ std::string printable(std::string_view text) {
   return r;
 }
 
-std::string escaped(std::string_view text) {
-  std::string r;
-  for (const char c : text) {
-    switch (c) {
-      case '&': r += "&amp;"; break;
-      case '<': r += "&lt;"; break;
-      case '>': r += "&gt;"; break;
-      default: r += c;
-    }
-  }
-  return r;
-}
-
 // cairo has no call for it: the title is the first child of the root element.
 std::string with_title(std::string svg, const std::string& title) {
   const std::size_t root = svg.find("<svg");
   const std::size_t end = root == std::string::npos ? root : svg.find('>', root);
   if (end != std::string::npos) {
-    svg.insert(end + 1, fmt::format("\n<title>{}</title>", escaped(title)));
+    svg.insert(end + 1, fmt::format("\n<title>{}</title>", xml_escaped(title)));
   }
   return svg;
 }

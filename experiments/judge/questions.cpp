@@ -55,7 +55,7 @@ class BatchExamination {
     examine_bits(triangle, examined);
     examine_distances(triangle, examined);
     examine_exactly(triangle, examined);
-    std::ranges::sort(examined.violations, {}, &Violation::question);
+    std::ranges::sort(examined.violations, {}, &BrokenPromise::question);
     return examined;
   }
 
@@ -151,8 +151,8 @@ std::vector<Question> Questions::list() const {
   return list;
 }
 
-const Violation* Examined::violation(Question question) const {
-  const auto found = std::ranges::find(violations, question, &Violation::question);
+const BrokenPromise* Examined::violation(Question question) const {
+  const auto found = std::ranges::find(violations, question, &BrokenPromise::question);
   return found == violations.end() ? nullptr : &*found;
 }
 

@@ -82,7 +82,7 @@ Questions stated_by(const Contestant& contestant);
 // can't do without.
 Questions usually_asked(const Contestant& contestant);
 
-struct Violation {
+struct BrokenPromise {
   Question question = Question::total;
   std::string reason;  // a sentence without its full stop
   double excess = 0;   // how many times beyond its threshold, > 1; infinity where it has none
@@ -97,9 +97,9 @@ struct Examined {
   // Those of the questions asked that could be judged on this primitive. A primitive without an
   // answer is judged for `total` alone, and breaks it, asked or not.
   Questions judged = {};
-  std::vector<Violation> violations = {};  // at most one for each question, in their order
+  std::vector<BrokenPromise> violations = {};  // at most one for each question, in their order
 
-  const Violation* violation(Question question) const;
+  const BrokenPromise* violation(Question question) const;
 };
 
 // One for each primitive of the batch, in parallel.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "experiments/report/page_source.hpp"
+#include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -23,7 +24,7 @@ class RowView {
   // For people, as HTML; empty where the cell is.
   std::string html(const char* key) const {
     const Cell& cell = row_[place_of(table_, key)];
-    return std::holds_alternative<std::monostate>(cell) ? "" : html_escape(format_cell(cell));
+    return std::holds_alternative<std::monostate>(cell) ? "" : xml_escaped(format_cell(cell));
   }
   std::string text(const char* key) const { return full_text(row_[place_of(table_, key)]); }
 
@@ -36,10 +37,10 @@ class RowView {
 std::string evidence_html(const PageSource& source, const RowView& row) {
   const std::string table = row.text("table"), experiment = row.text("experiment");
   if (source.store().has_table(table)) {
-    return fmt::format(" <a class=\"evidence\" href=\"#table-{0}\">{0}</a>", html_escape(table));
+    return fmt::format(" <a class=\"evidence\" href=\"#table-{0}\">{0}</a>", xml_escaped(table));
   }
   if (!source.parts().contains(experiment)) return "";
-  return fmt::format(" <a class=\"evidence\" href=\"#{0}\">{0}</a>", html_escape(experiment));
+  return fmt::format(" <a class=\"evidence\" href=\"#{0}\">{0}</a>", xml_escaped(experiment));
 }
 
 // The answer to the page's own question leads, without the question.
@@ -117,7 +118,7 @@ std::string readers_html(const PageSource& source, const Table& readers) {
   for (const auto& cells : readers.rows()) cards += reader_html(source, RowView(readers, cells));
   return fmt::format(
       "<h3>{}</h3>\n<div class=\"readers\">\n{}</div>\n<details><summary>The same as a table</summary>\n{}</details>\n",
-      html_escape(readers.title()), cards, source.table(readers, kAnswers));
+      xml_escaped(readers.title()), cards, source.table(readers, kAnswers));
 }
 
 // How much of a theme's cases a method fails on, as a class of its cell. The first row has the

@@ -9,6 +9,7 @@
 #include "experiments/machine/files.hpp"
 #include "experiments/machine/progress.hpp"
 #include "experiments/store/run_recorder.hpp"
+#include "experiments/table/json_text.hpp"
 #include "experiments/table/terminal.hpp"
 
 namespace clipscope::experiments {
@@ -49,7 +50,7 @@ void ExperimentContext::emit(const Table& table) const {
   table.write(out());
   if (selection_.json || selection_.tables) clear_progress_line();
   if (selection_.json) {
-    fmt::print("{}\n", table.to_json().dump());
+    fmt::print("{}\n", json_text(table.to_json()));
   } else if (selection_.tables) {
     fmt::print("{}\n", table.to_text(kPrintedRows));
   }

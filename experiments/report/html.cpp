@@ -8,26 +8,10 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "experiments/table/json_text.hpp"
 #include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments {
-
-std::string html_escape(std::string_view text) {
-  std::string escaped;
-  for (const char c : valid_utf8(text)) {
-    switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      case '\'': escaped += "&#39;"; break;
-      case '\n':
-      case '\t': escaped += c; break;
-      default: escaped += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
-    }
-  }
-  return escaped;
-}
 
 std::string url_of(std::string_view path) {
   static constexpr std::string_view kPlain =
@@ -90,8 +74,8 @@ std::string script_number(double value) {
 std::string text_html(const std::string& text, const std::string& key,
                       const std::set<std::string>& parts) {
   if (key == "verdict") return verdict_html(text);
-  if (key != "experiment" || !parts.contains(text)) return html_escape(text);
-  return fmt::format("<a href=\"#{0}\">{0}</a>", html_escape(text));
+  if (key != "experiment" || !parts.contains(text)) return xml_escaped(text);
+  return fmt::format("<a href=\"#{0}\">{0}</a>", xml_escaped(text));
 }
 
 // A number as people read it, and its value where that is another text.
@@ -148,7 +132,7 @@ std::string head_html(const Table& table) {
     const Column& column = table.columns()[c];
     html +=
         fmt::format("<th scope=\"col\"{} data-key=\"{}\"><button type=\"button\">{}</button></th>",
-                    class_attribute(css[c]), html_escape(column.key), html_escape(column.head));
+                    class_attribute(css[c]), xml_escaped(column.key), xml_escaped(column.head));
   }
   return html + "</tr></thead>\n";
 }
@@ -168,11 +152,11 @@ std::string verdict_html(const std::string& verdict) {
   if (verdict == "confirmed") css = " confirmed";
   if (verdict == "refuted") css = " refuted";
   if (verdict == "true only when") css = " partly";
-  return fmt::format("<span class=\"verdict{}\">{}</span>", css, html_escape(verdict));
+  return fmt::format("<span class=\"verdict{}\">{}</span>", css, xml_escaped(verdict));
 }
 
 std::string table_html(const Table& table, const TableSetting& setting) {
-  const std::string id = "table-" + html_escape(table.name());
+  const std::string id = "table-" + xml_escaped(table.name());
   const std::size_t all = table.rows().size();
   const bool has_script = !setting.script.empty();
   std::string html = fmt::format(
@@ -180,13 +164,13 @@ std::string table_html(const Table& table, const TableSetting& setting) {
       "<div class=\"tools\" hidden><label>Filter <input type=\"search\" aria-describedby=\"{1}\"></label><span class=\"count\" aria-live=\"polite\"></span><button type=\"button\">Copy as CSV</button></div>\n"
       "<div class=\"box\" role=\"region\" aria-labelledby=\"{1}\" tabindex=\"0\"><table aria-labelledby=\"{1}\">\n",
       has_script ? fmt::format(" data-rows=\"{}\" data-script=\"{}\"", all, setting.script) : "",
-      id, html_escape(table.title()), setting.css.empty() ? "" : " " + setting.css);
+      id, xml_escaped(table.title()), setting.css.empty() ? "" : " " + setting.css);
   html += head_html(table) + "<tbody>\n";
   html += rows_html(table, has_script ? std::min(all, kFirstRows) : all, setting);
   html += "</tbody></table></div>\n<button type=\"button\" class=\"more\" hidden></button>\n";
   if (has_script) html += absent_rows_html(table, setting.csv);
   for (const std::string& note : table.notes()) {
-    html += fmt::format("<p class=\"note\">{}</p>\n", html_escape(note));
+    html += fmt::format("<p class=\"note\">{}</p>\n", xml_escaped(note));
   }
   if (!setting.csv.empty()) {
     html += fmt::format("<p class=\"note\"><a href=\"{0}\">{0}</a></p>\n", setting.csv);
@@ -197,7 +181,7 @@ std::string table_html(const Table& table, const TableSetting& setting) {
 std::string plain_table_html(const Table& table) {
   std::string html = "<table>\n<thead><tr>";
   for (const Column& column : table.columns()) {
-    html += fmt::format("<th scope=\"col\">{}</th>", html_escape(column.head));
+    html += fmt::format("<th scope=\"col\">{}</th>", xml_escaped(column.head));
   }
   return html + "</tr></thead>\n<tbody>\n" + rows_html(table, table.rows().size(), {}) +
          "</tbody></table>\n";
@@ -205,7 +189,7 @@ std::string plain_table_html(const Table& table) {
 
 std::string rows_script(const Table& table, const TableSetting& setting) {
   const nlohmann::json name = table.name(), rows = rows_html(table, table.rows().size(), setting);
-  return fmt::format("clipscopeRows({}, {});\n", name.dump(), rows.dump());
+  return fmt::format("clipscopeRows({}, {});\n", json_text(name), json_text(rows));
 }
 
 }  // namespace clipscope::experiments

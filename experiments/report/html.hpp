@@ -14,10 +14,6 @@
 
 namespace clipscope::experiments {
 
-// The text as character data or as a quoted attribute: & < > " ' escaped, what is not UTF-8
-// replaced by U+FFFD, control characters that XML forbids by blanks.
-std::string html_escape(std::string_view text);
-
 // A file's relative path as an address: what an address would not take as itself is encoded
 // (RFC 3986, 2.1 and 2.3), slashes are not.
 std::string url_of(std::string_view path);

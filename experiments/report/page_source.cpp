@@ -7,6 +7,7 @@
 
 #include "experiments/machine/files.hpp"
 #include "experiments/render/webp.hpp"
+#include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr const char* kScriptFolder = "report";  // beside report.html
 
 std::string unreadable(const StoredFigure& figure) {
-  return fmt::format("<p class=\"missing\">{} can't be read.</p>\n", html_escape(figure.file));
+  return fmt::format("<p class=\"missing\">{} can't be read.</p>\n", xml_escaped(figure.file));
 }
 
 bool is_svg(const StoredFigure& figure) { return figure.file.ends_with(".svg"); }
@@ -94,14 +95,14 @@ std::string PageSource::table(const Table& table, const std::string& experiment,
 }
 
 std::string PageSource::plot(const StoredFigure& figure) const {
-  const std::string text = html_escape(figure.title + ". " + figure.caption);
+  const std::string text = xml_escaped(figure.title + ". " + figure.caption);
   const std::string drawing = form_ == PageForm::single_file
                                   ? inline_plot(read_if_there(directory_ / figure.file), text)
                                   : linked_plot(figure, text);
   if (drawing.empty()) return unreadable(figure);
   return fmt::format(
       "<figure class=\"plot\"><div tabindex=\"0\">{}</div>\n<figcaption>{}{}</figcaption></figure>\n",
-      drawing, html_escape(figure.caption),
+      drawing, xml_escaped(figure.caption),
       form_ == PageForm::single_file ? "" : " " + links_to(figure));
 }
 
@@ -120,7 +121,7 @@ std::string PageSource::picture(const StoredFigure& figure) const {
   if (bytes.empty()) return unreadable(figure);
   return fmt::format(
       "<figure><button type=\"button\" title=\"Enlarge\"><img loading=\"lazy\" decoding=\"async\" alt=\"{0}\"{1} src=\"{2}\"></button>\n<figcaption>{0}</figcaption></figure>\n",
-      html_escape(figure.caption.empty() ? figure.file : figure.caption),
+      xml_escaped(figure.caption.empty() ? figure.file : figure.caption),
       is_svg(figure) ? svg_size(bytes) : png_size(bytes),
       form_ == PageForm::single_file ? data_address(figure, file, bytes) : url_of(figure.file));
 }

@@ -15,6 +15,7 @@
 #include "experiments/machine/errors.hpp"
 #include "experiments/machine/files.hpp"
 #include "experiments/report/paper_rows.hpp"
+#include "experiments/table/json_text.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -272,8 +273,8 @@ void for_each_entry(const Json& contents, const fs::path& path, const char* list
     } catch (const OutputError&) {
       throw;
     } catch (const std::exception& error) {
-      throw InputError(fmt::format("{}: {}[{}] {}: {}", path.string(), list, i, entries[i].dump(),
-                                   error.what()));
+      throw InputError(fmt::format("{}: {}[{}] {}: {}", path.string(), list, i,
+                                   json_text(entries[i]), error.what()));
     }
   }
 }

@@ -17,6 +17,7 @@
 #include "experiments/machine/files.hpp"
 #include "experiments/report/plot_layout.hpp"
 #include "experiments/report/report.hpp"
+#include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -103,8 +104,8 @@ std::string finished_svg(std::string svg, const Plot& plot) {
   const std::size_t begin = svg.find("<title>"), end = svg.find("</desc>");
   if (begin != std::string::npos && end != std::string::npos && begin < end) {
     svg.replace(begin, end - begin,
-                fmt::format("<title>{}</title>\n<desc>{}", html_escape(plot.title),
-                            html_escape(plot.caption)));
+                fmt::format("<title>{}</title>\n<desc>{}", xml_escaped(plot.title),
+                            xml_escaped(plot.caption)));
   }
   return svg;
 }

@@ -12,6 +12,7 @@
 #include "experiments/report/page_assets.hpp"
 #include "experiments/report/page_source.hpp"
 #include "experiments/store/run_folder.hpp"
+#include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments {
 
@@ -44,7 +45,7 @@ std::string command_html(const std::string& command) {
   if (command.empty()) return "";
   return fmt::format(
       "<h3>Do it again</h3>\n<div class=\"command\"><pre><code>{}</code></pre><button type=\"button\" hidden>Copy</button></div>\n",
-      html_escape(command));
+      xml_escaped(command));
 }
 
 std::string finding_html(const StoredExperiment& experiment) {
@@ -53,7 +54,7 @@ std::string finding_html(const StoredExperiment& experiment) {
   }
   if (experiment.finding.empty()) return "<p class=\"missing\">This run left no finding.</p>\n";
   return fmt::format("<p class=\"finding\"><b>Finding</b>{}</p>\n",
-                     html_escape(experiment.finding));
+                     xml_escaped(experiment.finding));
 }
 
 Table worst_inputs_table(const std::string& experiment, const std::vector<WorstInput>& inputs) {
@@ -74,7 +75,7 @@ std::string section_html(const PageSource& source, const StoredExperiment& exper
   const std::string& name = experiment.name;
   std::string html = fmt::format(
       "<section id=\"{0}\" aria-labelledby=\"{0}-head\">\n<h2 id=\"{0}-head\"><a class=\"anchor\" href=\"#{0}\">{0}</a></h2>\n<p class=\"question\">{1}</p>\n",
-      html_escape(name), html_escape(experiment.question));
+      xml_escaped(name), xml_escaped(experiment.question));
   std::string plots, pictures, tally, main_table, tables;
   std::size_t count = 0;  // of pictures
   for (const StoredFigure& figure : source.store().figures(name)) {
@@ -100,7 +101,7 @@ std::string section_html(const PageSource& source, const StoredExperiment& exper
   if (!inputs.empty()) {
     const Table table = worst_inputs_table(name, inputs);
     html += fmt::format("<details><summary>{}</summary>\n{}</details>\n",
-                        html_escape(table.title()), source.table(table, name));
+                        xml_escaped(table.title()), source.table(table, name));
   }
   return html + command_html(experiment.command) + "</section>\n";
 }
@@ -114,7 +115,7 @@ std::string run_html(const ResultsStore& store) {
   std::string html = "<dl class=\"run\">\n";
   for (const auto& [name, value] : shown) {
     if (value.empty()) continue;
-    html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, html_escape(value));
+    html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, xml_escaped(value));
   }
   return html + "</dl>\n";
 }
@@ -142,7 +143,7 @@ std::string contents_html(const Experiments& experiments, bool has_answers) {
   if (has_answers) html += "<li><a href=\"#answers\">Answers</a></li>\n";
   html += "<li><a href=\"#findings\">Findings</a></li>\n";
   for (const StoredExperiment& e : experiments) {
-    html += fmt::format("<li><a href=\"#{0}\">{0}</a></li>\n", html_escape(e.name));
+    html += fmt::format("<li><a href=\"#{0}\">{0}</a></li>\n", xml_escaped(e.name));
   }
   return html + "</ol></details></nav>\n";
 }
@@ -154,8 +155,8 @@ std::string findings_html(const Experiments& experiments) {
   std::string items;
   for (const StoredExperiment& e : experiments) {
     if (e.finding.empty()) continue;
-    items += fmt::format("<li><a href=\"#{0}\">{0}</a><span>{1}</span></li>\n", html_escape(e.name),
-                         html_escape(e.finding));
+    items += fmt::format("<li><a href=\"#{0}\">{0}</a><span>{1}</span></li>\n", xml_escaped(e.name),
+                         xml_escaped(e.finding));
   }
   if (items.empty()) {
     return html + "<p class=\"missing\">This run left no finding.</p>\n</section>\n";

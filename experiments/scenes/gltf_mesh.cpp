@@ -21,6 +21,7 @@
 #include "experiments/scenes/gltf_nodes.hpp"
 #include "experiments/scenes/mesh_builder.hpp"
 #include "experiments/scenes/mesh_file.hpp"
+#include "experiments/table/json_text.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -48,7 +49,7 @@ void check_extensions(const Gltf& gltf) {
   const GltfValue required = gltf["extensionsRequired"];
   for (std::size_t i = 0; i < required.size(); ++i) {
     const GltfValue::Json& json = (*required)[i];
-    if (!json.is_string()) required.fail("holds {}; names expected", json.dump());
+    if (!json.is_string()) required.fail("holds {}; names expected", json_text(json));
     const std::string& name = json.get_ref<const std::string&>();
     if (name == "KHR_draco_mesh_compression" || name == "EXT_meshopt_compression" ||
         name == "KHR_meshopt_compression") {
@@ -65,7 +66,7 @@ void check_asset(const Gltf& gltf) {
   const GltfValue version = gltf["asset"]["version"];
   const GltfValue::Json found = version ? *version : GltfValue::Json();
   if (!found.is_string() || !found.get_ref<const std::string&>().starts_with("2.")) {
-    version.fail("is {}; \"2.0\" expected", found.dump());
+    version.fail("is {}; \"2.0\" expected", json_text(found));
   }
   check_extensions(gltf);
 }

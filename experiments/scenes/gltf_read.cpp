@@ -9,6 +9,7 @@
 #include "experiments/machine/base64.hpp"
 #include "experiments/machine/files.hpp"
 #include "experiments/scenes/gltf.hpp"
+#include "experiments/table/json_text.hpp"
 
 namespace clipscope::experiments {
 
@@ -51,7 +52,7 @@ std::vector<std::size_t> GltfValue::indices_into(const char* list) const {
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < size(); ++i) {
     const Json& index = (*json_)[i];
-    if (!index.is_number_unsigned()) fail("holds {}; whole numbers expected", index.dump());
+    if (!index.is_number_unsigned()) fail("holds {}; whole numbers expected", json_text(index));
     require_index(indices.emplace_back(index.get<std::size_t>()), list);
   }
   return indices;

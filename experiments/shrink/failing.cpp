@@ -32,7 +32,7 @@ Failing failing_at(const Contestant& contestant, Question question) {
       if (!contestant.takes(group.batch)) continue;
       const std::vector<Examined> examined = examine(contestant, group.batch, {question});
       for (std::size_t i = 0; i < examined.size(); ++i) {
-        const Violation* const violation = examined[i].violation(question);
+        const BrokenPromise* const violation = examined[i].violation(question);
         if (violation != nullptr && examined[i].in_domain) {
           excess[group.places[i]] = violation->excess;
         }

@@ -7,7 +7,9 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <utility>
 
+#include "experiments/catalogue/projected.hpp"
 #include "experiments/scenes/random.hpp"
 #include "experiments/scenes/scene.hpp"
 
@@ -105,18 +107,6 @@ void drop_clip_distance(HardCase& c) {
   for (InputVertex& v : c.vertices) std::shift_left(v.attributes.begin(), v.attributes.end(), 1);
 }
 
-// The clip coordinates, each rounded once to float.
-void project(HardCase& c) {
-  const reference::Truth truth = truth_of(c);
-  for (InputVertex& v : c.vertices) {
-    const auto exact = truth.clip_position(v);
-    for (std::size_t i = 0; i < 4; ++i) v.position[i] = reference::round_to<float>(exact[i]);
-  }
-  c.space = Space::clip;
-  c.matrix.reset();
-  c.frustum = Frustum<double>{.depth = c.volume.depth};
-}
-
 std::vector<Change> changes_of_setting(const HardCase& c) {
   std::vector<Change> changes = {[](HardCase& x) { x.planes.clear(); },
                                  [](HardCase& x) { x.volume.depth_clamp = {}; },
@@ -138,7 +128,7 @@ std::vector<Change> changes_of_setting(const HardCase& c) {
   }
   if (c.volume.clip_distances > 0) changes.push_back(drop_clip_distance);
   if (c.space == Space::view) {
-    changes.push_back(project);
+    changes.push_back([](HardCase& x) { x = projected(std::move(x)); });
     changes.push_back([](HardCase& x) { x.frustum = Frustum<double>{.depth = x.volume.depth}; });
   }
   return changes;

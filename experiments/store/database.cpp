@@ -74,10 +74,11 @@ double double_of(const void* blob) {
   return std::bit_cast<double>(be64toh(bytes));
 }
 
+// A results file may come from anywhere, and nobody above it expects text that is no UTF-8.
 Cell cell_of(const SQLite::Column& column) {
   if (column.isInteger()) return std::int64_t{column.getInt64()};
   if (column.isFloat()) return column.getDouble();
-  if (column.isText()) return column.getString();
+  if (column.isText()) return valid_utf8(column.getString());
   if (column.isBlob() && column.getBytes() == sizeof(double)) return double_of(column.getBlob());
   return std::monostate();
 }

@@ -54,7 +54,8 @@ decltype(auto) with_reasons(const SQLite::Database& database, Work&& work) {
 std::string sql_keys(const Table& table);
 
 // The values are bound to the statement's parameters in their order. They are stored and read to
-// the bit, NaNs included (see schema.hpp).
+// the bit, NaNs included (see schema.hpp), but for bytes that are no UTF-8: a text is read with
+// U+FFFD in their place.
 using Cells = std::vector<Cell>;
 void execute(SQLite::Database& database, const std::string& sql, const Cells& values = {});
 

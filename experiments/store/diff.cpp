@@ -11,6 +11,7 @@
 #include <span>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/table/json_text.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -143,7 +144,7 @@ void compare_runs(const RunInfo& a, const RunInfo& b, Difference& difference) {
   for (const auto& [name, value] : options_a.items()) {
     const Json other = options_b.value(name, Json());
     if (name == "seed" || value == other) continue;  // the seed is one of the keys above
-    difference.runs.push_back({"--" + name, value.dump(), other.dump()});
+    difference.runs.push_back({"--" + name, json_text(value), json_text(other)});
   }
 }
 

@@ -21,6 +21,7 @@
 #include "experiments/machine/shell_word.hpp"
 #include "experiments/selection/replay_text.hpp"
 #include "experiments/store/database.hpp"
+#include "experiments/table/json_text.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -91,7 +92,7 @@ Json options_of(const Selection& s) {
 
 std::string value_text(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
-  if (!value.is_array()) return value.is_null() ? "" : value.dump();
+  if (!value.is_array()) return value.is_null() ? "" : json_text(value);
   std::vector<std::string> parts;
   std::ranges::transform(value, std::back_inserter(parts), value_text);
   return fmt::format("{}", fmt::join(parts, ","));
@@ -221,7 +222,7 @@ RunInfo run_info_of(const Selection& selection) {
           {"seed", std::to_string(selection.seed)},
           {"started", date_now()},
           {"command", run_command(selection, "")},
-          {"options", options_of(selection).dump()},
+          {"options", json_text(options_of(selection))},
           {"files", files_read(selection)}};
 }
 

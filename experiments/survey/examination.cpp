@@ -64,7 +64,7 @@ void Examination::add_one(const Batch& batch, std::size_t i, const Name& name,
   }
   for (const Question q : found.judged.list()) ++tallies_[static_cast<std::size_t>(q)].judged;
   bool breaks_asked = false;
-  for (const Violation& violation : found.violations) {
+  for (const BrokenPromise& violation : found.violations) {
     QuestionTally& tally = tallies_[static_cast<std::size_t>(violation.question)];
     ++tally.broken;
     const bool is_asked = asked_.contains(violation.question) || is_unanswered;

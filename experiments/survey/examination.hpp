@@ -22,7 +22,7 @@ namespace clipscope::experiments {
 // A triangle that breaks something, with all that is needed to see it again.
 struct Counterexample {
   HardCase triangle;  // its name says where it comes from
-  Violation violation;
+  BrokenPromise violation;
   std::string answer;  // a line per vertex, as hex floats: x y z 1/w, attributes
 };
 

@@ -104,14 +104,17 @@ std::string latex_number(double value) {
 }
 
 Table::Table(std::string name, std::string title, std::vector<Column> columns)
-    : name_(std::move(name)), title_(std::move(title)), columns_(std::move(columns)) {}
+    : name_(valid_utf8(name)), title_(valid_utf8(title)), columns_(std::move(columns)) {}
 
 void Table::add_row(std::vector<Cell> cells) {
   assert(cells.size() == columns_.size());
+  for (Cell& cell : cells) {
+    if (auto* text = std::get_if<std::string>(&cell)) *text = valid_utf8(*text);
+  }
   rows_.push_back(std::move(cells));
 }
 
-void Table::add_note(std::string note) { notes_.push_back(std::move(note)); }
+void Table::add_note(std::string note) { notes_.push_back(valid_utf8(note)); }
 
 std::vector<std::vector<std::string>> Table::formatted() const {
   std::vector<std::vector<std::string>> text;

@@ -10,6 +10,8 @@
 namespace clipscope::experiments {
 namespace {
 
+constexpr const char* kReplacement = "\xEF\xBF\xBD";  // U+FFFD
+
 // The bytes of the well-formed sequence that the text begins with; 0 if it begins with none.
 std::size_t sequence_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -128,6 +130,28 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
     }
   }
   return lines;
+}
+
+std::string xml_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : valid_utf8(text)) {
+    switch (c) {
+      case '&': escaped += "&amp;"; break;
+      case '<': escaped += "&lt;"; break;
+      case '>': escaped += "&gt;"; break;
+      case '"': escaped += "&quot;"; break;
+      case '\'': escaped += "&#39;"; break;
+      case '\n': escaped += "&#10;"; break;
+      case '\t': escaped += "&#9;"; break;
+      default:
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+          escaped += kReplacement;
+        } else {
+          escaped += c;
+        }
+    }
+  }
+  return escaped;
 }
 
 std::string double_quoted(std::string_view text) {

@@ -26,6 +26,11 @@ std::size_t character_count(std::string_view text);
 // is longer breaks behind its hyphens alone.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
+// As the text or the value of an attribute in XML and HTML. What these can't hold, control
+// characters and bytes of no well-formed sequence, becomes U+FFFD; line breaks and tabs, which
+// would become blanks in an attribute, stay.
+std::string xml_escaped(std::string_view text);
+
 // In double quotes, those within it doubled, as CSV and SQL have it.
 std::string double_quoted(std::string_view text);
 

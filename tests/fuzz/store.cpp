@@ -9,6 +9,7 @@
 
 #include "experiments/store/diff.hpp"
 #include "experiments/store/results_store.hpp"
+#include "experiments/table/json_text.hpp"
 #include "tests/fuzz/harness.hpp"
 
 namespace clipscope::fuzz {
@@ -37,7 +38,7 @@ class ShortLivedFile {
 
 void print(const Table& table) {
   for (const auto& text : {table.to_text(), table.to_markdown(), table.to_csv(), table.to_latex(),
-                           table.to_json().dump()}) {
+                           json_text(table.to_json())}) {
     require(!text.empty(), "the table {} was printed as nothing", table.name());
   }
 }

@@ -50,7 +50,7 @@ Count count(const Contestant& contestant, Question question, const Questions& as
   Count count;
   for (const Examined& e : examined(contestant, random_triangles(400), asked)) {
     count.judged += e.judged.contains(question);
-    const Violation* violation = e.violation(question);
+    const BrokenPromise* violation = e.violation(question);
     if (violation == nullptr) continue;
     if (count.broken++ == 0) count.reason = violation->reason;
     count.excess = std::max(count.excess, violation->excess);

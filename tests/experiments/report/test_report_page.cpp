@@ -8,7 +8,6 @@
 #include "experiments/machine/errors.hpp"
 #include "experiments/report/html.hpp"
 #include "experiments/report/report.hpp"
-#include "experiments/table/utf8.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/report/sample_page.hpp"
 
@@ -41,23 +40,6 @@ SampleRun with_answers() {
 }
 
 }  // namespace
-
-TEST_CASE("html: what HTML would read as markup is escaped") {
-  CHECK(html_escape("<a href=\"x\">'&amp;'</a>") ==
-        "&lt;a href=&quot;x&quot;&gt;&#39;&amp;amp;&#39;&lt;/a&gt;");
-  CHECK(html_escape("naïve ≤ 1") == "naïve ≤ 1");
-  CHECK(html_escape(std::string_view("a\0b\x1b\n", 5)) == "a b \n");
-}
-
-TEST_CASE("html: bytes that are no UTF-8 become the replacement character") {
-  const std::string mark = "\xEF\xBF\xBD";
-  CHECK(valid_utf8(std::string("a\xff") + "b") == "a" + mark + "b");
-  CHECK(valid_utf8("\xc0\xaf") == mark + mark);                        // overlong /
-  CHECK(valid_utf8("\xed\xa0\x80") == mark + mark + mark);             // a surrogate
-  CHECK(valid_utf8("\xe2\x82") == mark + mark);                        // cut off
-  CHECK(valid_utf8("\xf4\x90\x80\x80") == mark + mark + mark + mark);  // past U+10FFFF
-  CHECK(valid_utf8("€ 𝄞 \xed\x9f\xbf") == "€ 𝄞 \xed\x9f\xbf");
-}
 
 TEST_CASE("html: base64 as RFC 4648 has it") {
   CHECK(base64("") == "");

@@ -166,6 +166,23 @@ TEST_CASE("store: samples, worst inputs, figures, findings and notes are kept") 
       4);
 }
 
+TEST_CASE("store: texts that are no UTF-8 are read with the replacement character") {
+  const TestFolder folder;
+  {
+    RunRecorder recorder(create_database(folder.store(), {{"command", "clipscope \xFF"}}),
+                         folder.store());
+    begin(recorder, "one");
+    recorder.add(StoredFigure{FigureKind::plot, "p.svg", "title", "caption \xFF"});
+    recorder.set_finding("\xFF");
+    recorder.finish(1);
+  }
+  const ResultsStore store(folder.path);
+  const std::string mark = "\xEF\xBF\xBD";
+  CHECK(value_of(store.run_info(), "command") == "clipscope " + mark);
+  CHECK(store.experiments().at(0).finding == mark);
+  CHECK(store.figures("one").at(0).caption == "caption " + mark);
+}
+
 TEST_CASE("store: runs under the clock are those of all pieces, by experiment or together") {
   RunRecorder recorder = new_recorder({});
   Table table = small_table();

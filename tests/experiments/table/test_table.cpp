@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/table/json_text.hpp"
 #include "experiments/table/table.hpp"
 #include "tests/catch.hpp"
 
@@ -141,4 +142,19 @@ TEST_CASE("table: a folder that is a file is an error that names it") {
   CHECK_THROWS_AS(small_table().write(file), OutputError);
   CHECK(read(file) == "in the way");
   std::filesystem::remove(file);
+}
+
+TEST_CASE("table: bytes that are no UTF-8 become the replacement character in every form") {
+  Table table("a\xFF", "b\xFF", {{"name", "name"}});
+  table.add_row({std::string("c\xFF")});
+  table.add_note("d\xFF");
+  for (const std::string& text : {table.to_text(), table.to_markdown(), table.to_csv(),
+                                  table.to_latex(), json_text(table.to_json())}) {
+    CHECK(text.find('\xFF') == std::string::npos);
+    CHECK(text.find("c\xEF\xBF\xBD") != std::string::npos);
+  }
+}
+
+TEST_CASE("JSON: a string that is no UTF-8 ends no program") {
+  CHECK(json_text(nlohmann::json{{"file", "a\xFF"}}) == "{\"file\":\"a\xEF\xBF\xBD\"}");
 }

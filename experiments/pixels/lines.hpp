@@ -2,14 +2,14 @@
 //
 // Lines of width 1, by the rules that all drivers keep that keep any.
 //
-// The ideal is the diamond-exit rule, but what may be drawn instead is wide (OpenGL 4.6 core, 14.5.1,
-// rules 1 to 3; OpenGL ES 3.2, 13.6.1; Vulkan 1.3 without strictLines: a parallelogram or
+// The ideal is the diamond-exit rule, but what may be drawn instead is wide (OpenGL 4.6 core,
+// 14.5.1, rules 1 to 3; OpenGL ES 3.2, 13.6.1; Vulkan 1.3 without strictLines: a parallelogram or
 // Bresenham's lines). Here a line must
 //
 //   - have no fragment more than 3/2 px away from it in x or in y: half a px has the diamond, one
 //     px the rule that lets fragments deviate (extra);
-//   - have at most one fragment fewer than the ideal one in the part of the view volume (missing, or
-//     primitive_lost if there is none);
+//   - have at most one fragment fewer than the ideal one in the part of the view volume (missing,
+//     or primitive_lost if there is none);
 //   - have no two fragments in one column if it is x-major, or one row if it is y-major (extra);
 //     strict lines of Vulkan are rectangles, and may.
 //

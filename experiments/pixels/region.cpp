@@ -93,10 +93,10 @@ Margins margins_of(const DrawCall& call, const DriverInfo& info, bool is_clipped
           kEpsilon * farthest_px(call.viewport)};
 }
 
-// Both sides of the line that all vertices lie on; if they are one point, the box must do. What lies
-// between vertices with w > 0 has no greater (|x|, |y|, w) / w than one of them, so that its
-// error in the line's function is bounded by theirs. Where a vertex has w <= 0 there is no such bound:
-// if the triangle contains the eye, what is clipped there is a quotient of nothings.
+// Both sides of the line that all vertices lie on; if they are one point, the box must do. What
+// lies between vertices with w > 0 has no greater (|x|, |y|, w) / w than one of them, so that its
+// error in the line's function is bounded by theirs. Where a vertex has w <= 0 there is no such
+// bound: if the triangle contains the eye, what is clipped there is a quotient of nothings.
 void add_line(Region& region, const std::array<const DrawVertex*, 3>& v, const DrawCall& call,
               const Margins& margins) {
   region.is_degenerate = true;

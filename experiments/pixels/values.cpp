@@ -42,8 +42,9 @@ class PrimitiveValues {
     judge_flat(x, y);
     if (rules_.empty()) return;
     if (!primitive_.exact) {
-      for (const ValueRule& rule : rules_)
+      for (const ValueRule& rule : rules_) {
         settle(rule, check_constant(rule, returned(rule, x, y)), x, y);
+      }
       return;
     }
     const PixelPlace place{*primitive_.exact,
@@ -52,8 +53,16 @@ class PrimitiveValues {
                            y,
                            primitive_.region.displacement_px,
                            primitive_.region.is_inside};
-    for (const ValueRule& rule : rules_)
-      settle(rule, check(rule, place, returned(rule, x, y)), x, y);
+    for (const ValueRule& rule : rules_) {
+      const float value = returned(rule, x, y);
+      const double ulps = ulps_at_centre(rule, place, value);
+      if (ulps >= 0) {
+        judge_.judgement.errors[bit(rule.quantity)].add(
+            ulps, {x, y, rule.channel, enclosed(rule.interpolant, place.at).value, value});
+      } else {
+        settle(rule, check(rule, place, value), x, y);
+      }
+    }
   }
 
  private:

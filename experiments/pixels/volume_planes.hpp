@@ -10,8 +10,8 @@
 
 namespace clipscope::experiments {
 
-// What a plane of depth or a clip distance has at a vertex (>= 0 is inside), and that with all terms
-// positive.
+// What a plane of depth or a clip distance has at a vertex (>= 0 is inside), and that with all
+// terms positive.
 struct PlaneValue {
   double value = 0, size = 0;
 };

@@ -180,8 +180,8 @@ TEST_CASE("exact pixel: equal to the exact polygon on draw calls of any size", "
   CHECK(covered > 200);
 }
 
-// Of (0,0,.5,1) (4,0,.5,1) (0,4,1,2), drawn on 4 x 4: pixel (2, 3) has its centre at x_ndc = 1/4 and
-// y_ndc = 3/4. There 1 = l0 + l1 + 2 l2 (w), 1/4 = 4 l1, 3/4 = 4 l2, so l = (9/16, 1/16, 3/16).
+// Of (0,0,.5,1) (4,0,.5,1) (0,4,1,2), drawn on 4 x 4: pixel (2, 3) has its centre at x_ndc = 1/4
+// and y_ndc = 3/4. There 1 = l0 + l1 + 2 l2 (w), 1/4 = 4 l1, 3/4 = 4 l2, so l = (9/16, 1/16, 3/16).
 TEST_CASE("exact pixel: the values of a triangle found by hand", "[pixels]") {
   DrawCall call = call_of(
       Topology::triangles,

@@ -26,6 +26,7 @@ Position without_signed_zeros(Position p) {
 Edges edges_in_volume(const DrawCall& call, const std::vector<JudgedPrimitive>& primitives) {
   Edges edges;
   for (std::size_t i = 0; i < primitives.size(); ++i) {
+    if (primitives[i].vertices.size() != 3) continue;
     if (!primitives[i].has_values() || primitives[i].region.is_discarded) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const DrawVertex& a = call.vertices[primitives[i].vertices[(k + 1) % 3]];

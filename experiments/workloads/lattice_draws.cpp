@@ -105,15 +105,20 @@ void scale_some(Positions& positions, Random& random) {
   for (std::array<float, 4>& p : positions) scale_point(p, power);
 }
 
+// All coordinates of two vertices, or their x or y alone: an edge that is short, or nearly level.
 void bring_close(Positions& positions, Random& random) {
   if (positions.size() < 2) return;
   random.shuffle(std::span(positions));
-  const float w = positions[0][3];
-  positions[0] = positions[1];
-  positions[0][3] = w;  // its sign is the stratum's
-  if (w * positions[1][3] > 0) positions[0][3] = positions[1][3];
+  std::array<float, 4>& moved = positions[0];
+  const std::array<float, 4>& other = positions[1];
+  const bool is_short = random.chance(0.5);
+  const std::size_t axis = random.below(is_short ? 3 : 2);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (is_short || i == axis) moved[i] = other[i];
+  }
+  if (moved[3] * other[3] > 0) moved[3] = other[3];  // else its sign is the stratum's
   const double sign = random.sign();
-  positions[0][random.below(3)] += static_cast<float>(std::ldexp(sign, integer(-12, -3, random)));
+  moved[axis] += static_cast<float>(std::ldexp(sign, integer(-12, -3, random)));
 }
 
 void change_numbers(Positions& positions, LatticeNumbers numbers, Random& random) {

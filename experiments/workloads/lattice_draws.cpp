@@ -69,35 +69,72 @@ std::vector<int> signs_of_w(const LatticeStratum& s, Random& random) {
   return signs;
 }
 
+// Whole numbers over `parts`; x, y and z up to `most`, |w| up to `most_w`.
+struct Grid {
+  int most = 2, most_w = 3, parts = 1;
+};
+
+Grid grid_of(LatticeNumbers numbers, Random& random) {
+  if (numbers != LatticeNumbers::larger) return {};
+  if (random.chance(0.5)) return {.most = 9, .most_w = 5};
+  return {.parts = 1 << integer(1, 2, random)};
+}
+
 std::array<float, 4> lattice_point(int sign, LatticeNumbers numbers, Random& random) {
-  const bool is_large = numbers == LatticeNumbers::large;
-  const int most = is_large ? 9 : 2, most_w = is_large ? 5 : 3;
-  const int parts = numbers == LatticeNumbers::halves ? 1 << integer(1, 2, random) : 1;
+  const Grid grid = grid_of(numbers, random);
+  const int most = grid.most * grid.parts;
+  const auto over_parts = [&](int n) {
+    return static_cast<float>(n) / static_cast<float>(grid.parts);
+  };
   std::array<float, 4> p;
-  for (std::size_t i = 0; i < 3; ++i) {
-    p[i] = static_cast<float>(integer(-most * parts, most * parts, random)) /
-           static_cast<float>(parts);
-  }
-  const int w = integer(1, most_w * parts, random);
-  p[3] = static_cast<float>(sign * w) / static_cast<float>(parts);
+  for (std::size_t i = 0; i < 3; ++i) p[i] = over_parts(integer(-most, most, random));
+  p[3] = over_parts(sign * integer(1, grid.most_w * grid.parts, random));
   return p;
 }
 
-void scale(std::array<float, 4>& point, int power) {
+void scale_point(std::array<float, 4>& point, int power) {
   for (float& x : point) x = std::ldexp(x, power);
+}
+
+void scale_some(Positions& positions, Random& random) {
+  if (random.chance(0.5)) {
+    scale_point(positions[random.below(positions.size())], integer(-12, 12, random));
+    return;
+  }
+  const int power = integer(-60, 28, random);
+  for (std::array<float, 4>& p : positions) scale_point(p, power);
+}
+
+void bring_close(Positions& positions, Random& random) {
+  if (positions.size() < 2) return;
+  random.shuffle(std::span(positions));
+  const float w = positions[0][3];
+  positions[0] = positions[1];
+  positions[0][3] = w;  // its sign is the stratum's
+  if (w * positions[1][3] > 0) positions[0][3] = positions[1][3];
+  const double sign = random.sign();
+  positions[0][random.below(3)] += static_cast<float>(std::ldexp(sign, integer(-12, -3, random)));
 }
 
 void change_numbers(Positions& positions, LatticeNumbers numbers, Random& random) {
   std::array<float, 4>& one = positions[random.below(positions.size())];
-  if (numbers == LatticeNumbers::vertex_scaled) {
-    scale(one, integer(-12, 12, random));
-  } else if (numbers == LatticeNumbers::all_scaled) {
-    const int power = integer(-20, 20, random);
-    for (std::array<float, 4>& p : positions) scale(p, power);
-  } else if (numbers == LatticeNumbers::far_vertex) {
-    float& x = one[random.below(3)];
+  float& x = one[random.below(3)];
+  const auto keep_off_zero = [&] {
     if (x == 0) x = static_cast<float>(random.sign());
-    x = std::ldexp(x, integer(10, 24, random));
+  };
+  switch (numbers) {
+    case LatticeNumbers::small:
+    case LatticeNumbers::larger: break;
+    case LatticeNumbers::scaled: return scale_some(positions, random);
+    case LatticeNumbers::far_vertex:
+      keep_off_zero();
+      x = std::ldexp(x, integer(10, 24, random));
+      break;
+    case LatticeNumbers::small_w:
+      keep_off_zero();
+      one[3] = std::ldexp(one[3], integer(-24, -4, random));
+      break;
+    case LatticeNumbers::close_vertices: return bring_close(positions, random);
   }
 }
 
@@ -121,8 +158,9 @@ bool is_visible(const Positions& positions, DepthRange depth) {
 
 Positions positions_of(const LatticeStratum& s, DepthRange depth, Random& random) {
   constexpr int kTries = 8;
+  const int tries = s.primitive == 1 && random.chance(0.5) ? 1 : kTries;
   Positions positions = some_positions(s, random);
-  for (int i = 1; i < kTries && !is_visible(positions, depth); ++i) {
+  for (int i = 1; i < tries && !is_visible(positions, depth); ++i) {
     positions = some_positions(s, random);
   }
   return positions;

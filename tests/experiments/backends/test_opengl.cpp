@@ -9,22 +9,8 @@
 namespace clipscope::experiments {
 namespace {
 
-Pixels pixels_of(DriverProcess& driver, const DrawCall& call) {
-  const Drawn drawn = driver.draw(call);
-  const auto* failure = std::get_if<DrawFailure>(&drawn);
-  if (failure) FAIL(failure->reason);
-  return std::get<Pixels>(drawn);
-}
-
-template <std::size_t n>
-std::array<float, n> values_at(const Pixels& pixels, Quantity quantity, int x, int y) {
-  std::array<float, n> values{};
-  for (std::size_t c = 0; c < n; ++c) values[c] = pixels.at(quantity, x, y, c);
-  return values;
-}
-
-TEST_CASE("opengl: each quantity of a triangle whose values are all exact is what it should be") {
-  const auto* name = GENERATE("llvmpipe", "softpipe", "zink");
+TEST_CASE("drivers: each quantity of a triangle whose values are all exact is what it should be") {
+  const auto* name = GENERATE("llvmpipe", "softpipe", "zink", "lavapipe", "swiftshader");
   const auto driver = driver_for_test(name);
   if (!driver) return;
   DrawCall call = half_square(8);

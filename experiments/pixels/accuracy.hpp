@@ -16,8 +16,8 @@
 // For an edge of Q with the function L, linear in px, the square lies on the edge's inner side if
 // L >= u (|dL/dx| + |dL/dy|). It lies outside of Q if L <= -u (|dL/dx| + |dL/dy|) for one edge.
 // With orientation kept inside of Q, the same holds for the sign of the area.
-// In values: Q' at a point p has the exact value of Q at some point less than u away from p in x and
-// in y, since both are the same combination of the same vertices' values.
+// In values: Q' at a point p has the exact value of Q at some point less than u away from p in x
+// and in y, since both are the same combination of the same vertices' values.
 //
 // Arithmetic. OpenGL (4.6 core, 2.3.4.1; ES 3.2, 2.3.4.1): "individual results of floating-point
 // operations are accurate to about 1 part in 10^5", magnitudes up to 2^32. Vulkan 1.3 says nothing

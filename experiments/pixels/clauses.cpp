@@ -40,7 +40,7 @@ constexpr Sentence kPointValues = {{"14.4.1", "Basic Point Rasterization", "13.5
                                    "All fragments of a point have the values of its vertex."};
 constexpr Sentence kLineCoverage = {
     {"14.5.1", "Basic Line Segment Rasterization", "13.6.1"},
-    "A line's fragments are at most one px from those of the ideal rule, at most one more or less."};
+    "A line's fragments are at most a px from those of the ideal rule, at most one more or less."};
 constexpr Sentence kLineValues = {
     {"14.5.1", "Basic Line Segment Rasterization", "13.6.1"},
     "Values along a line lie between those of its ends, by the projection of the pixel's centre."};

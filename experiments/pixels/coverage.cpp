@@ -44,9 +44,7 @@ class MissingFragments {
       if (is_lost && has_pixels) take(i, ViolationKind::primitive_lost, accusations);
     }
     // The last one first: it is what lies on top.
-    for (std::size_t i = primitives_.size(); i-- > 0;) {
-      take(i, ViolationKind::missing, accusations);
-    }
+    for (std::size_t i = primitives_.size(); i-- > 0;) take(i, ViolationKind::missing, accusations);
   }
 
  private:

@@ -15,17 +15,18 @@
 
 namespace clipscope::experiments {
 
-// A triangle or a point of a draw call.
+// A triangle, a line or a point of a draw call.
 struct JudgedPrimitive {
   std::vector<std::uint32_t> vertices = {};
-  std::optional<ExactPrimitive> exact = {};  // of a triangle
+  std::optional<ExactPrimitive> exact = {};  // not of a point
   Region region = {};
 
   bool is_triangle() const { return vertices.size() == 3; }
   bool has_values() const { return exact && exact->orientation() != 0; }
 };
 
-// Gathers the pixels of each primitive, quantity and kind into one violation, with the worst of them.
+// Gathers the pixels of each primitive, quantity and kind into one violation, with the worst of
+// them.
 class Accusations {
  public:
   // size: how far beyond what is allowed, in multiples of that.
@@ -64,9 +65,10 @@ CoverageMap coverage_map(const DrawCall& call, const std::vector<JudgedPrimitive
 void judge_coverage(const std::vector<JudgedPrimitive>& primitives, const CoverageMap& map,
                     const Pixels& pixels, Accusations& accusations, Judgement& judgement);
 
-// shared_edge: two triangles on either side of an edge whose ends are in the clip volume. Of an edge
-// that is cut both polygons have vertices of their own, which no specification wants to be equal to
-// the bit. Centres near the ends of the edge, or claimed by a third primitive, are left out.
+// shared_edge: two triangles on either side of an edge whose ends are in the clip volume. Of an
+// edge that is cut both polygons have vertices of their own, which no specification wants to be
+// equal to the bit. Centres near the ends of the edge, or claimed by a third primitive, are left
+// out.
 void judge_shared_edges(const DrawCall& call, const std::vector<JudgedPrimitive>& primitives,
                         const CoverageMap& map, const Pixels& pixels, Accusations& accusations);
 

@@ -9,7 +9,8 @@ namespace {
 
 using Position = std::array<float, 4>;
 
-// One triangle at an edge: the edge is that of its half-plane `edge`, opposite to its vertex `edge`.
+// One triangle at an edge: the edge is that of its half-plane `edge`, opposite to its vertex
+// `edge`.
 struct EdgeUse {
   std::size_t primitive = 0, edge = 0;
 };

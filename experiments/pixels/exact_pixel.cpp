@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/fraction.hpp"
+
 namespace clipscope::experiments {
 namespace {
 
@@ -67,6 +69,14 @@ Int128 to_128(const mpz_class& v) {
   return v < 0 ? -joined : joined;
 }
 
+// Toward 0: within 2^-52, which `enclosed` counts with.
+double near(const mpz_class& v) { return mpz_get_d(v.get_mpz_t()); }
+
+void set_inverses(PixelWeights& r) {
+  r.inverse_sum = 1 / r.sum;
+  r.inverse_det = 1 / r.det;
+}
+
 std::size_t bits(const mpz_class& v) { return mpz_sizeinbase(v.get_mpz_t(), 2); }
 
 mpq_class times_power(const mpq_class& v, int exponent) {
@@ -98,10 +108,10 @@ ExactPrimitive::ExactPrimitive(const DrawCall& call, std::span<const std::uint32
     det_ = -det_;
   }
   unit_ = std::ldexp(1.0, exponent_);
-  det_double_ = std::ldexp(det_.get_d(), det_exponent_);
+  det_double_ = std::ldexp(near(det_), det_exponent_);
   for (std::size_t i = 0; i < planes_.size(); ++i) {
-    by_x_[i] = planes_[i].a.get_d() * unit_;
-    by_y_[i] = planes_[i].b.get_d() * unit_;
+    by_x_[i] = near(planes_[i].a) * unit_;
+    by_y_[i] = near(planes_[i].b) * unit_;
   }
   shorten(call);
 }
@@ -113,9 +123,7 @@ void ExactPrimitive::set_triangle(const DrawCall& call, std::span<const std::uin
     const auto n = cross(v.xyw[(i + 1) % 3], v.xyw[(i + 2) % 3]);
     planes_.push_back(
         {n[0] * grid.step_x, n[1] * grid.step_y, n[0] * grid.x + n[1] * grid.y + n[2] * grid.w});
-    if (i == 0) {
-      det_ = n[0] * v.xyw[0][0] + n[1] * v.xyw[0][1] + n[2] * v.xyw[0][2];
-    }
+    if (i == 0) det_ = n[0] * v.xyw[0][0] + n[1] * v.xyw[0][1] + n[2] * v.xyw[0][2];
   }
   det_ *= grid.w;
   exponent_ = 2 * v.exponent;
@@ -169,8 +177,9 @@ PixelWeights ExactPrimitive::weights(int x, int y) const {
   r.det = det_double_;
   if (short_planes_.empty()) {
     const std::array<mpz_class, 3> e = long_weights(x, y);
-    for (std::size_t i = 0; i < 3; ++i) r.weights[i] = e[i].get_d() * unit_;
-    r.sum = mpz_class(e[0] + e[1] + e[2]).get_d() * unit_;
+    for (std::size_t i = 0; i < 3; ++i) r.weights[i] = near(e[i]) * unit_;
+    r.sum = near(mpz_class(e[0] + e[1] + e[2])) * unit_;
+    set_inverses(r);
     return r;
   }
   Int128 sum = 0;
@@ -181,6 +190,7 @@ PixelWeights ExactPrimitive::weights(int x, int y) const {
     sum += e;
   }
   r.sum = static_cast<double>(sum) * unit_;
+  set_inverses(r);
   return r;
 }
 
@@ -191,6 +201,7 @@ PixelWeights ExactPrimitive::weights_beside(const PixelWeights& at, double dx, d
     r.weights[i] += step;
     r.sum += step;
   }
+  set_inverses(r);
   return r;
 }
 
@@ -214,34 +225,12 @@ mpq_class ExactPrimitive::value(const Interpolant& interpolant, int x, int y) co
   return mpq_class(interpolant.offset) + mpq_class(interpolant.scale) * quotient;
 }
 
-// Weights, their sum and det carry 2^-52, each product and sum after them 2^-53, so that the error
-// of the quotient is below 12 * 2^-53 sum |E_i n_i| / |denominator|.
-Enclosed enclosed(const Interpolant& interpolant, const PixelWeights& at) {
-  double numerator = 0, size = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double term = at.weights[i] * interpolant.of_vertices[i];
-    numerator += term;
-    size += std::abs(term);
-  }
-  const double denominator = interpolant.is_perspective ? at.sum : at.det;
-  const double quotient = numerator / denominator;
-  const double value = interpolant.offset + interpolant.scale * quotient;
-  const double bound = std::abs(interpolant.scale) * (0x1p-49 * size / std::abs(denominator)) +
-                       0x1p-52 * (std::abs(interpolant.offset) + std::abs(value));
-  return {value, bound};
-}
-
-double float_ulp(double value) {
-  const double magnitude = std::max(std::abs(value), 0x1p-126);
-  return std::ldexp(1.0, std::ilogb(magnitude) - 23);
-}
-
 double exact_double(const ExactPrimitive& primitive, const Interpolant& interpolant,
                     const PixelWeights& at, int x, int y) {
   const Enclosed filtered = enclosed(interpolant, at);
   if (filtered.bound <= 0x1p-8 * float_ulp(filtered.value)) return filtered.value;
   if (interpolant.is_perspective && at.sum == 0) return filtered.value;
-  return primitive.value(interpolant, x, y).get_d();
+  return reference::round_to<double>(primitive.value(interpolant, x, y));
 }
 
 bool covers(const DrawCall& call, std::span<const std::uint32_t> vertices,

@@ -18,8 +18,8 @@
 // with det = 0 there are no values.
 //
 // Lines: the pixel's centre is projected onto the line in the window (OpenGL 4.6 core, equations
-// 14.4 to 14.7); t / w_b and (1 - t) / w_a over a common denominator D are linear in P, too, and take
-// the places of E_i and of det P_w.
+// 14.4 to 14.7); t / w_b and (1 - t) / w_a over a common denominator D are linear in P, too, and
+// take the places of E_i and of det P_w.
 //
 // Guarantee: nothing is rounded before the last division. The E_i are integers over a power of two,
 // of 128 bits where their size allows it and of any length elsewhere.
@@ -27,7 +27,10 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <variant>
@@ -52,6 +55,7 @@ struct Interpolant {
 struct PixelWeights {
   std::array<double, 3> weights = {};
   double sum = 0, det = 0;
+  double inverse_sum = 0, inverse_det = 0;
 };
 
 // |exact - value| <= bound.
@@ -99,8 +103,21 @@ class ExactPrimitive {
   int orientation_ = 0;
 };
 
-// In double.
-Enclosed enclosed(const Interpolant& interpolant, const PixelWeights& at);
+// In double. Weights, their sum and det carry 2^-52, inverses, products and sums after them 2^-53,
+// so that the error of the quotient is below 16 * 2^-53 sum |E_i n_i| / |denominator|.
+inline Enclosed enclosed(const Interpolant& interpolant, const PixelWeights& at) {
+  double numerator = 0, size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double term = at.weights[i] * interpolant.of_vertices[i];
+    numerator += term;
+    size += std::abs(term);
+  }
+  const double inverse = interpolant.is_perspective ? at.inverse_sum : at.inverse_det;
+  const double value = interpolant.offset + interpolant.scale * (numerator * inverse);
+  const double bound = std::abs(interpolant.scale * (0x1p-49 * size * inverse)) +
+                       0x1p-52 * (std::abs(interpolant.offset) + std::abs(value));
+  return {value, bound};
+}
 
 // The nearest double to the exact value, or one so near that an error in ulp of float is right to
 // 2^-8 of it.
@@ -108,7 +125,12 @@ double exact_double(const ExactPrimitive& primitive, const Interpolant& interpol
                     const PixelWeights& at, int x, int y);
 
 // Of float, at that value; the least there is below the normal range.
-double float_ulp(double value);
+inline double float_ulp(double value) {
+  constexpr std::uint64_t kExponent = std::uint64_t{0x7ff} << 52;
+  const double magnitude = std::max(std::abs(value), 0x1p-126);
+  const double power = std::bit_cast<double>(std::bit_cast<std::uint64_t>(magnitude) & kExponent);
+  return power * 0x1p-23;
+}
 
 // Whether the exact primitive has the pixel's centre, borders included: triangles only.
 bool covers(const DrawCall& call, std::span<const std::uint32_t> vertices,

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/pixels/lines.hpp"
 #include "experiments/pixels/values.hpp"
 
 namespace clipscope::experiments {
@@ -45,11 +46,11 @@ JudgedPrimitive judged(const DrawCall& call, std::vector<std::uint32_t> vertices
                        const DriverInfo& info) {
   JudgedPrimitive r;
   r.vertices = std::move(vertices);
-  if (r.is_triangle()) {
-    r.exact.emplace(call, r.vertices);
-    r.region = triangle_region(call, r.vertices, info, r.exact->orientation());
-  } else {
-    r.region = point_region(call, r.vertices[0], info);
+  if (r.vertices.size() > 1) r.exact.emplace(call, r.vertices);
+  switch (r.vertices.size()) {
+    case 1: r.region = point_region(call, r.vertices[0], info); break;
+    case 2: r.region = line_region(call, r.vertices, info); break;
+    default: r.region = triangle_region(call, r.vertices, info, r.exact->orientation());
   }
   return r;
 }
@@ -59,12 +60,12 @@ JudgedPrimitive judged(const DrawCall& call, std::vector<std::uint32_t> vertices
 Judgement judge_pixels(const DrawCall& call, const Pixels& pixels, const DriverInfo& info) {
   Judgement judgement;
   judgement.apart = apart_of(call);
-  if (call.topology == Topology::lines || call.topology == Topology::line_strip) return judgement;
   std::vector<JudgedPrimitive> primitives;
   for (auto& vertices : primitives_of(call)) primitives.push_back(judged(call, vertices, info));
   Accusations accusations;
   const CoverageMap map = coverage_map(call, primitives);
   judge_coverage(primitives, map, pixels, accusations, judgement);
+  judge_lines(call, primitives, pixels, info, accusations);
   judge_shared_edges(call, primitives, map, pixels, accusations);
   judge_values({call, info, pixels, accusations, judgement}, primitives, map);
   judgement.violations = accusations.violations();

@@ -9,7 +9,8 @@
 // A triangle's half-planes are its three edges, the depths unless they are clamped, and the clip
 // distances, all as they are at w > 0; the viewport is an exact rectangle, since pixel centres are
 // half a px from its borders. A triangle without an area has both sides of the line that it lies on
-// as half-planes, and covers nothing for certain; if part of it is at w <= 0, all is left open. A point has the four sides of its square.
+// as half-planes, and covers nothing for certain; if part of it is at w <= 0, all is left open. A
+// point has the four sides of its square.
 #pragma once
 
 #include <cstdint>

@@ -33,7 +33,7 @@ class PrimitiveValues {
         primitive_(primitive),
         provoking_(judge.call.vertices[provoking_vertex(judge.call, number)]),
         facing_(facing_of(judge.call, primitive, is_certain)) {
-    if (!primitive.is_triangle()) rules_ = rules_of_point(judge.call, primitive.vertices[0]);
+    if (!primitive.exact) rules_ = rules_of_point(judge.call, primitive.vertices[0]);
     if (primitive.has_values()) rules_ = rules_of(judge.call, primitive.vertices);
   }
 
@@ -41,9 +41,10 @@ class PrimitiveValues {
     judge_whole_numbers(x, y);
     judge_flat(x, y);
     if (rules_.empty()) return;
-    if (!primitive_.is_triangle()) {
-      for (const ValueRule& rule : rules_)
+    if (!primitive_.exact) {
+      for (const ValueRule& rule : rules_) {
         settle(rule, check_constant(rule, returned(rule, x, y)), x, y);
+      }
       return;
     }
     const PixelPlace place{*primitive_.exact,
@@ -52,8 +53,16 @@ class PrimitiveValues {
                            y,
                            primitive_.region.displacement_px,
                            primitive_.region.is_inside};
-    for (const ValueRule& rule : rules_)
-      settle(rule, check(rule, place, returned(rule, x, y)), x, y);
+    for (const ValueRule& rule : rules_) {
+      const float value = returned(rule, x, y);
+      const double ulps = ulps_at_centre(rule, place, value);
+      if (ulps >= 0) {
+        judge_.judgement.errors[bit(rule.quantity)].add(
+            ulps, {x, y, rule.channel, enclosed(rule.interpolant, place.at).value, value});
+      } else {
+        settle(rule, check(rule, place, value), x, y);
+      }
+    }
   }
 
  private:

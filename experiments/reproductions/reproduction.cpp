@@ -44,7 +44,8 @@ std::vector<Reproduction> reproductions(const DrawCall& call, const Violation& v
   const std::string name =
       fmt::format("{}_{}", names_of(Quantity{})[bit(violation.quantity)],
                   names_of(ViolationKind{})[static_cast<std::size_t>(violation.kind)]);
-  std::vector<Reproduction> all = {{name + ".shader_test", piglit_test(it)}};
+  std::vector<Reproduction> all = {{name + ".shader_test", piglit_test(it)},
+                                   {name + ".amber", amber_script(it)}};
   std::erase_if(all, [](const Reproduction& one) { return one.text.empty(); });
   return all;
 }

@@ -123,6 +123,17 @@ DrawCall square_call() {
   return call;
 }
 
+// A line from the lower left.
+DrawCall line_call(const DrawVertex& end) {
+  return call_of(Topology::lines, {vertex_at(-0.8f, -0.7f, 0, 1), end});
+}
+
+DrawCall point_call() {
+  DrawCall call = call_of(Topology::points, {vertex_at(0, -0.4f, 0, 1)});
+  call.point_size = 5;
+  return call;
+}
+
 std::vector<FaultCase> fault_cases() {
   using F = RasterFault;
   using K = ViolationKind;
@@ -155,6 +166,12 @@ std::vector<FaultCase> fault_cases() {
       {F::fewer_bits, K::missing, Q::covered, triangle_call(off_grid)},
       {F::primitive_id_off, K::primitive_id, Q::primitive_id, square_call()},
       {F::zero_area_drawn, K::zero_area, Q::covered, triangle_call(collinear)},
+      {F::near_unclipped, K::extra, Q::covered, line_call(vertex_at(1, 1, -3, 2))},
+      {F::far_vertex_dropped, K::primitive_lost, Q::covered, line_call(vertex_at(100, 90, 0, 1))},
+      {F::absolute_w, K::extra, Q::covered, line_call(vertex_at(1, 1, -3, -1))},
+      {F::smooth_affine, K::wrong_value, Q::smooth, line_call(vertex_at(7, 7, 0, 8, 4))},
+      {F::row_missing, K::missing, Q::covered, point_call()},
+      {F::flat_of_other_vertex, K::flat_value, Q::flat, line_call(vertex_at(1, 1, 0, 1, 4))},
       {F::extrapolated, K::outside_hull, Q::smooth, triangle_call(inside_triangle())},
   };
 }

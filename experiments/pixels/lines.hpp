@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lines of width 1, by the rules that all drivers keep that keep any.
+//
+// The ideal is the diamond-exit rule, but what may be drawn instead is wide (OpenGL 4.6 core,
+// 14.5.1, rules 1 to 3; OpenGL ES 3.2, 13.6.1; Vulkan 1.3 without strictLines: a parallelogram or
+// Bresenham's lines). Here a line must
+//
+//   - have no fragment more than 3/2 px away from it in x or in y: half a px has the diamond, one
+//     px the rule that lets fragments deviate (extra);
+//   - have at most one fragment fewer than the ideal one in the part of the view volume (missing,
+//     or primitive_lost if there is none);
+//   - have no two fragments in one column if it is x-major, or one row if it is y-major (extra);
+//     strict lines of Vulkan are rectangles, and may.
+//
+// The last two of lines that are alone in their draw call. Values may be those at any point within
+// 3/2 px, or between those of the ends of the clipped line where it is clipped.
+//
+// OpenGL clips lines to the view volume; OpenGL ES to near and far, and Vulkan may do either, so
+// that there fragments beside the viewport are open.
+#pragma once
+
+#include "experiments/pixels/coverage.hpp"
+
+namespace clipscope::experiments {
+
+// Covers nothing for certain. If rounding could move an end by more than 1/4 px, all is open.
+Region line_region(const DrawCall& call, std::span<const std::uint32_t> vertices,
+                   const DriverInfo& info);
+
+// The rules about numbers of fragments.
+void judge_lines(const DrawCall& call, const std::vector<JudgedPrimitive>& primitives,
+                 const Pixels& pixels, const DriverInfo& info, Accusations& accusations);
+
+}  // namespace clipscope::experiments

@@ -26,8 +26,8 @@ Position without_signed_zeros(Position p) {
 Edges edges_in_volume(const DrawCall& call, const std::vector<JudgedPrimitive>& primitives) {
   Edges edges;
   for (std::size_t i = 0; i < primitives.size(); ++i) {
-    if (primitives[i].vertices.size() != 3) continue;
-    if (!primitives[i].has_values() || primitives[i].region.is_discarded) continue;
+    const bool has_edges = primitives[i].is_triangle() && primitives[i].has_values();
+    if (!has_edges || primitives[i].region.is_discarded) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const DrawVertex& a = call.vertices[primitives[i].vertices[(k + 1) % 3]];
       const DrawVertex& b = call.vertices[primitives[i].vertices[(k + 2) % 3]];
@@ -65,7 +65,8 @@ void judge_edge(const std::vector<JudgedPrimitive>& primitives, const EdgeUse& o
       const PixelClaim& claim = map.at(x, y);
       const bool is_alone = claim.open == 2 && is_within_others(a, one.edge, x, y) &&
                             is_within_others(b, other.edge, x, y);
-      if (!is_alone) continue;
+      // The margins of the two differ where one is clipped: it may be that one has it for certain.
+      if (!is_alone || !is_open(coverage_at(a, x, y)) || !is_open(coverage_at(b, x, y))) continue;
       const double right = claim.covered + 1.0;
       const float hits = pixels.at(Quantity::hits, x, y);
       if (static_cast<double>(hits) == right) continue;

@@ -10,7 +10,7 @@
 namespace clipscope::experiments {
 namespace {
 
-constexpr std::size_t kMostPipelines = 256;
+constexpr std::size_t kMostPipelines = 2048;  // each takes a software driver up to 0.2 s to compile
 
 VkPrimitiveTopology topology_of(Topology topology) {
   switch (topology) {

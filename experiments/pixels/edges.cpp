@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "experiments/pixels/coverage.hpp"
@@ -26,11 +27,12 @@ Position without_signed_zeros(Position p) {
 Edges edges_in_volume(const DrawCall& call, const std::vector<JudgedPrimitive>& primitives) {
   Edges edges;
   for (std::size_t i = 0; i < primitives.size(); ++i) {
-    const bool has_edges = primitives[i].is_triangle() && primitives[i].has_values();
-    if (!has_edges || primitives[i].region.is_discarded) continue;
+    const JudgedPrimitive& primitive = primitives[i];
+    const bool has_edges = primitive.is_triangle() && primitive.has_values();
+    if (!has_edges || primitive.region.is_discarded) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      const DrawVertex& a = call.vertices[primitives[i].vertices[(k + 1) % 3]];
-      const DrawVertex& b = call.vertices[primitives[i].vertices[(k + 2) % 3]];
+      const DrawVertex& a = call.vertices[primitive.vertices[(k + 1) % 3]];
+      const DrawVertex& b = call.vertices[primitive.vertices[(k + 2) % 3]];
       if (!is_in_volume(a, call.volume) || !is_in_volume(b, call.volume)) continue;
       std::array<Position, 2> ends = {without_signed_zeros(a.position),
                                       without_signed_zeros(b.position)};
@@ -43,6 +45,9 @@ Edges edges_in_volume(const DrawCall& call, const std::vector<JudgedPrimitive>& 
 
 // Whether the insides are on the two sides of the edge.
 bool is_on_either_side(const HalfPlane& a, const HalfPlane& b) { return a.a * b.a + a.b * b.b < 0; }
+
+// Whether the pixel may be on either side.
+bool is_open(const HalfPlane& h, int x, int y) { return std::abs(h.at(x, y)) < h.margin(); }
 
 bool is_within_others(const Region& region, std::size_t edge, int x, int y) {
   for (std::size_t k = 0; k < region.half_planes.size(); ++k) {
@@ -58,15 +63,15 @@ void judge_edge(const std::vector<JudgedPrimitive>& primitives, const EdgeUse& o
   const Region& a = primitives[one.primitive].region;
   const Region& b = primitives[other.primitive].region;
   const HalfPlane& edge = a.half_planes[one.edge];
-  if (!is_on_either_side(edge, b.half_planes[other.edge])) return;
+  const HalfPlane& other_edge = b.half_planes[other.edge];
+  if (!is_on_either_side(edge, other_edge)) return;
   for (int y = std::max(a.box.bottom, b.box.bottom); y < std::min(a.box.top, b.box.top); ++y) {
     for (int x = std::max(a.box.left, b.box.left); x < std::min(a.box.right, b.box.right); ++x) {
-      if (std::abs(edge.at(x, y)) >= edge.margin()) continue;
+      if (!is_open(edge, x, y) || !is_open(other_edge, x, y)) continue;
       const PixelClaim& claim = map.at(x, y);
       const bool is_alone = claim.open == 2 && is_within_others(a, one.edge, x, y) &&
                             is_within_others(b, other.edge, x, y);
-      // The margins of the two differ where one is clipped: it may be that one has it for certain.
-      if (!is_alone || !is_open(coverage_at(a, x, y)) || !is_open(coverage_at(b, x, y))) continue;
+      if (!is_alone) continue;
       const double right = claim.covered + 1.0;
       const float hits = pixels.at(Quantity::hits, x, y);
       if (static_cast<double>(hits) == right) continue;

@@ -225,14 +225,6 @@ mpq_class ExactPrimitive::value(const Interpolant& interpolant, int x, int y) co
   return mpq_class(interpolant.offset) + mpq_class(interpolant.scale) * quotient;
 }
 
-double exact_double(const ExactPrimitive& primitive, const Interpolant& interpolant,
-                    const PixelWeights& at, int x, int y) {
-  const Enclosed filtered = enclosed(interpolant, at);
-  if (filtered.bound <= 0x1p-8 * float_ulp(filtered.value)) return filtered.value;
-  if (interpolant.is_perspective && at.sum == 0) return filtered.value;
-  return reference::round_to<double>(primitive.value(interpolant, x, y));
-}
-
 bool covers(const DrawCall& call, std::span<const std::uint32_t> vertices,
             const ExactPrimitive& primitive, int x, int y) {
   const Viewport& port = call.viewport;

@@ -61,6 +61,7 @@ struct PixelWeights {
 // |exact - value| <= bound.
 struct Enclosed {
   double value = 0, bound = 0;
+  double size = 0;  // the same with all terms positive: at least |value|
 };
 
 class ExactPrimitive {
@@ -114,17 +115,12 @@ inline Enclosed enclosed(const Interpolant& interpolant, const PixelWeights& at)
   }
   const double inverse = interpolant.is_perspective ? at.inverse_sum : at.inverse_det;
   const double value = interpolant.offset + interpolant.scale * (numerator * inverse);
-  const double bound = std::abs(interpolant.scale * (0x1p-49 * size * inverse)) +
-                       0x1p-52 * (std::abs(interpolant.offset) + std::abs(value));
-  return {value, bound};
+  const double positive =
+      std::abs(interpolant.offset) + std::abs(interpolant.scale * size * inverse);
+  return {value, 0x1p-48 * positive, positive};
 }
 
-// The nearest double to the exact value, or one so near that an error in ulp of float is right to
-// 2^-8 of it.
-double exact_double(const ExactPrimitive& primitive, const Interpolant& interpolant,
-                    const PixelWeights& at, int x, int y);
-
-// Of float, at that value; the least there is below the normal range.
+// Of float, at that value; below the normal range that at its end.
 inline double float_ulp(double value) {
   constexpr std::uint64_t kExponent = std::uint64_t{0x7ff} << 52;
   const double magnitude = std::max(std::abs(value), 0x1p-126);

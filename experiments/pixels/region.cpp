@@ -50,7 +50,7 @@ HalfPlane half_plane(const Form& f, const Viewport& port, const Margins& margins
   h.c = f.x * ((1.0 - 2.0 * port.x) / port.width - 1) +
         f.y * ((1.0 - 2.0 * port.y) / port.height - 1) + f.w;
   const double per_px = std::abs(h.a) + std::abs(h.b);
-  h.snap = margins.snap_px * per_px;
+  h.snap = margins.snap_px * per_px + 0x1p-48 * f.size;  // the latter for doubles
   h.slack = margins.relative * f.size + margins.window_px * per_px;
   return h;
 }
@@ -138,6 +138,24 @@ void add_edges(Region& region, const std::array<const DrawVertex*, 3>& v, const 
   }
 }
 
+// The viewport's sides are exact, but the vertices that are made on them are not.
+void add_sides(Region& region, const std::array<const DrawVertex*, 3>& v, const DrawCall& call,
+               const Margins& margins, int orientation) {
+  for (const std::size_t axis : {0, 1}) {
+    for (const double sign : {-1.0, 1.0}) {
+      Form f;
+      bool is_needed = false;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Form edge = scaled(cross(*v[(i + 1) % 3], *v[(i + 2) % 3]), orientation, 1);
+        const double c = v[i]->position[axis], w = v[i]->position[3];
+        f += scaled(edge, w + sign * c, std::abs(w) + std::abs(c));
+        is_needed = is_needed || w + sign * c < 0;
+      }
+      if (is_needed) region.half_planes.push_back(half_plane(f, call.viewport, margins));
+    }
+  }
+}
+
 }  // namespace
 
 PixelBox visible_box(const DrawCall& call) {
@@ -179,6 +197,7 @@ Region triangle_region(const DrawCall& call, std::span<const std::uint32_t> vert
     region.is_discarded = region.is_inside && has_twins(v);
   } else {
     add_edges(region, v, call, margins, orientation);
+    if (!region.is_inside) add_sides(region, v, call, margins, orientation);
   }
   if (points.empty()) region.is_discarded = true;
   if (points.size() == 3) region.box = around(points, region.box);

@@ -24,7 +24,6 @@ namespace clipscope::experiments {
 // By what is certain: the outer two whatever the arithmetic, the next two by the sub-pixel bits
 // alone.
 enum class Coverage : std::uint8_t { outside, nearly_outside, undecided, nearly_covered, covered };
-constexpr bool is_open(Coverage c) { return c != Coverage::outside && c != Coverage::covered; }
 
 // >= 0 is inside: a x + b y + c at the centre of the pixel in column x and row y.
 struct HalfPlane {

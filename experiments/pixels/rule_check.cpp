@@ -47,11 +47,8 @@ double nearest_right(double exact, Clamping clamping, double returned) {
   return clamping == Clamping::must || is_nearer ? inside : exact;
 }
 
-void measure(CheckedValue& checked) {
-  const bool is_flushed = checked.returned == 0 && std::abs(checked.exact) < kLeastNormal;
-  checked.ulps = is_flushed ? 0
-                            : std::abs(static_cast<double>(checked.returned) - checked.exact) /
-                                  float_ulp(checked.exact);
+void measure(CheckedValue& checked, double size) {
+  checked.ulps = std::abs(static_cast<double>(checked.returned) - checked.exact) / float_ulp(size);
 }
 
 // By how much of the slack the number is beyond, at least 1.
@@ -64,19 +61,19 @@ double beyond(double distance, double slack) {
 CheckedValue check(const ValueRule& rule, const PixelPlace& place, float returned) {
   CheckedValue checked;
   checked.returned = returned;
-  const double exact = exact_double(place.primitive, rule.interpolant, place.at, place.x, place.y);
-  checked.exact = nearest_right(exact, rule.clamping, returned);
-  checked.is_apart = !(std::abs(checked.exact) <= kGreatest);
+  const Enclosed exact = enclosed(rule.interpolant, place.at);
+  checked.exact = nearest_right(exact.value, rule.clamping, returned);
+  checked.is_apart = !(exact.size <= kGreatest);
   if (checked.is_apart) return checked;
   if (!std::isfinite(returned)) {
     checked.violation = ViolationKind::not_finite;
     checked.size = std::numeric_limits<double>::infinity();
     return checked;
   }
-  measure(checked);
   const double value = returned;
-  if (std::abs(value - checked.exact) <= rule.slack) return checked;
   const Range near = with_clamping(range_around(rule.interpolant, place), rule.clamping);
+  measure(checked, std::max(exact.size, rule.size));
+  if (std::abs(value - checked.exact) <= rule.slack) return checked;
   if (near.distance(value) <= rule.slack) return checked;
   const double beyond_hull =
       with_clamping({rule.least, rule.greatest}, rule.clamping).distance(value);
@@ -101,7 +98,7 @@ CheckedValue check_constant(const ValueRule& rule, float returned) {
     checked.violation = ViolationKind::wrong_value;
     checked.size = beyond(error, rule.slack);
   } else {
-    measure(checked);
+    measure(checked, std::abs(checked.exact));
   }
   return checked;
 }

@@ -28,15 +28,13 @@ struct CheckedValue {
   bool is_apart = false;  // nothing is promised of it
 };
 
-// Its error in ulp if the value at the centre itself makes it legal, as it nearly always does;
-// negative if it takes `check` to know.
-inline double ulps_at_centre(const ValueRule& rule, const PixelPlace& place, float returned) {
-  const Enclosed exact = enclosed(rule.interpolant, place.at);
-  const double ulp = float_ulp(exact.value), error = std::abs(returned - exact.value);
+// Its error if the value at the centre itself makes it legal, as it nearly always does; negative if
+// it takes `check` to know.
+inline double ulps_at_centre(const ValueRule& rule, const Enclosed& exact, float returned) {
+  const double error = std::abs(returned - exact.value);
   const bool may_clamp = rule.clamping != Clamping::never && (exact.value < 0 || exact.value > 1);
-  const bool is_known = exact.bound <= 0x1p-8 * ulp && std::abs(exact.value) <= kGreatest &&
-                        std::abs(exact.value) >= kLeastNormal && !may_clamp;
-  return is_known && error <= rule.slack ? error / ulp : -1;
+  const bool is_legal = error <= rule.slack && exact.size <= kGreatest && !may_clamp;
+  return is_legal ? error / float_ulp(exact.size) : -1;
 }
 
 CheckedValue check(const ValueRule& rule, const PixelPlace& place, float returned);

@@ -92,7 +92,8 @@ class RuleMaker {
     const auto [least, greatest] = std::minmax_element(n.begin(), end);
     rule.least = *least;
     rule.greatest = *greatest;
-    rule.slack = kEpsilon * kInterpolation * std::max(magnitude(*least), magnitude(*greatest));
+    rule.size = std::max(magnitude(*least), magnitude(*greatest));
+    rule.slack = kEpsilon * kInterpolation * rule.size;
     rules_.push_back(rule);
   }
 
@@ -100,12 +101,18 @@ class RuleMaker {
   void linear(Quantity quantity, std::size_t channel, Of&& of) {
     if (!call_.quantities[bit(quantity)]) return;
     ValueRule rule{quantity, channel, {numerators(of), false}};
-    const bool is_depth = quantity == Quantity::depth || channel == 2;
-    if (is_depth && quantity != Quantity::noperspective) set_depth(rule);
+    if (quantity == Quantity::noperspective) {
+      for (const std::uint32_t number : vertices_) {
+        rule.size = std::max(rule.size, magnitude(call_.vertices[number].varying[channel]));
+      }
+    } else if (quantity == Quantity::depth || channel == 2) {
+      set_depth(rule);
+    }
     const PolygonValues values =
         is_in_front_ ? vertex_values(rule.interpolant.of_vertices)
                      : polygon_values(call_, vertices_, rule.interpolant.of_vertices);
     set_hull(rule, values);
+    if (quantity == Quantity::noperspective && has_end_at_infinity()) leave_open(rule);
     rules_.push_back(rule);
   }
 
@@ -116,6 +123,18 @@ class RuleMaker {
     }
     const bool is_clamped = rule.quantity == Quantity::depth && call_.volume.depth_clamp;
     rule.clamping = is_clamped ? Clamping::must : Clamping::may;
+    rule.size = 1;  // of the range
+  }
+
+  bool has_end_at_infinity() const {
+    return std::any_of(vertices_.begin(), vertices_.end(), [&](std::uint32_t number) {
+      return call_.vertices[number].position[3] == 0;
+    });
+  }
+
+  static void leave_open(ValueRule& rule) {
+    rule.least = -std::numeric_limits<double>::infinity();
+    rule.greatest = std::numeric_limits<double>::infinity();
   }
 
   PolygonValues vertex_values(const std::array<double, 3>& n) const {
@@ -131,13 +150,14 @@ class RuleMaker {
 
   static void set_hull(ValueRule& rule, const PolygonValues& values) {
     const Interpolant& of = rule.interpolant;
-    double size = std::abs(of.offset), least = INFINITY, greatest = -INFINITY;
+    double size = std::max(rule.size, std::abs(of.offset)), least = INFINITY, greatest = -INFINITY;
     for (std::size_t i = 0; i < values.quotients.size(); ++i) {
       const double value = of.offset + of.scale * values.quotients[i];
       least = std::min(least, value);
       greatest = std::max(greatest, value);
       size = std::max(size, std::abs(of.offset) + of.scale * values.sizes[i]);
     }
+    rule.size = size;
     rule.slack = kEpsilon * (kInterpolation + kTransform + kClip) * size;
     if (!values.is_known) return;
     rule.least = least;

@@ -23,6 +23,7 @@ struct ValueRule {
   // What the vertices of the clipped polygon have; of a point its own value.
   double least = -std::numeric_limits<double>::infinity();
   double greatest = std::numeric_limits<double>::infinity();
+  double size = 0;  // the greatest magnitude among them
   double slack = 0;
 };
 

@@ -55,10 +55,11 @@ class PrimitiveValues {
                            primitive_.region.is_inside};
     for (const ValueRule& rule : rules_) {
       const float value = returned(rule, x, y);
-      const double ulps = ulps_at_centre(rule, place, value);
+      const Enclosed exact = enclosed(rule.interpolant, place.at);
+      const double ulps = ulps_at_centre(rule, exact, value);
       if (ulps >= 0) {
-        judge_.judgement.errors[bit(rule.quantity)].add(
-            ulps, {x, y, rule.channel, enclosed(rule.interpolant, place.at).value, value});
+        judge_.judgement.errors[bit(rule.quantity)].add(ulps,
+                                                        {x, y, rule.channel, exact.value, value});
       } else {
         settle(rule, check(rule, place, value), x, y);
       }

@@ -113,8 +113,7 @@ Sentence sentence_of(Shape shape, ViolationKind kind, Quantity quantity) {
     case ViolationKind::not_finite:
     case ViolationKind::outside_hull: return hull_sentence(shape, quantity);
     case ViolationKind::wrong_value: return exact_value_sentence(shape, quantity);
-    case ViolationKind::extra:
-      return shape == Shape::polygon ? kClipping : coverage_sentence(shape);
+    case ViolationKind::extra: return shape == Shape::point ? kPointCoverage : kClipping;
     case ViolationKind::missing:
     case ViolationKind::primitive_lost:
     case ViolationKind::zero_area: return coverage_sentence(shape);

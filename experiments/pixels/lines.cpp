@@ -56,10 +56,10 @@ std::array<double, 2> to_window(double x_ndc, double y_ndc, const Viewport& port
 }
 
 WindowLine window_line(const DrawCall& call, std::span<const std::uint32_t> vertices,
-                       const Sides& sides) {
+                       const ClipVolume& volume, const Sides& sides) {
   const DrawVertex& a = call.vertices[vertices[0]];
   const DrawVertex& b = call.vertices[vertices[1]];
-  const Part part = part_between(a, b, call.volume, sides);
+  const Part part = part_between(a, b, volume, sides);
   WindowLine line;
   line.is_empty = part.s > part.t;
   line.is_uncertain = line.is_empty && part.s - part.t < 1e-3;  // of a corner of the volume
@@ -83,6 +83,16 @@ WindowLine window_line(const DrawCall& call, std::span<const std::uint32_t> vert
   if (part.s == part.t) line.b = line.a;
   line.is_uncertain = line.rounding_px > kMostRounding;
   return line;
+}
+
+// What surely clips where fragments may be.
+ClipVolume widest_volume(const DrawCall& call, std::span<const std::uint32_t> vertices,
+                         const DriverInfo& info) {
+  ClipVolume volume = call.volume;
+  const bool is_in_front =
+      call.vertices[vertices[0]].position[3] > 0 && call.vertices[vertices[1]].position[3] > 0;
+  if (info.api == GraphicsApi::vulkan && is_in_front) volume.depth_clamp = true;
+  return volume;
 }
 
 // Where fragments may be: all of the target, and some px around it, if the sides don't clip.
@@ -190,7 +200,8 @@ Region line_region(const DrawCall& call, std::span<const std::uint32_t> vertices
                      is_in_volume(call.vertices[vertices[1]], call.volume);
   const double snap = snap_px(info);
   region.displacement_px = kReach + snap;
-  const WindowLine line = window_line(call, vertices, widest_sides(call, info));
+  const WindowLine line =
+      window_line(call, vertices, widest_volume(call, vertices, info), widest_sides(call, info));
   region.is_discarded = line.is_empty && !line.is_uncertain;
   if (line.is_empty || line.is_uncertain) return region;
   const double nx = line.b[1] - line.a[1], ny = line.a[0] - line.b[0];
@@ -212,7 +223,7 @@ Region line_region(const DrawCall& call, std::span<const std::uint32_t> vertices
 void judge_lines(const DrawCall& call, const std::vector<JudgedPrimitive>& primitives,
                  const Pixels& pixels, const DriverInfo& info, Accusations& accusations) {
   if (primitives.size() != 1 || primitives[0].vertices.size() != 2) return;
-  const WindowLine line = window_line(call, primitives[0].vertices, {});
+  const WindowLine line = window_line(call, primitives[0].vertices, call.volume, {});
   if (line.is_empty || line.is_uncertain) return;
   FragmentCount(call, line, pixels, snap_px(info) + line.rounding_px)
       .accuse(info.strict_lines, accusations);

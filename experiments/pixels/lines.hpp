@@ -16,8 +16,10 @@
 // The last two of lines that are alone in their draw call. Values may be those at any point within
 // 3/2 px, or between those of the ends of the clipped line where it is clipped.
 //
-// OpenGL clips lines to the view volume; OpenGL ES to near and far, and Vulkan may do either, so
-// that there fragments beside the viewport are open.
+// OpenGL clips lines to the view volume; OpenGL ES to near and far, so that there fragments beside
+// the viewport are open. In Vulkan a line whose vertices lie outside "may" be clipped, but nothing
+// is drawn outside of the clip volume: there fragments beside the viewport are open, too, and
+// beyond the depths, as long as both ends have w > 0.
 #pragma once
 
 #include "experiments/pixels/coverage.hpp"

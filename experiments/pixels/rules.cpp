@@ -112,6 +112,7 @@ class RuleMaker {
         is_in_front_ ? vertex_values(rule.interpolant.of_vertices)
                      : polygon_values(call_, vertices_, rule.interpolant.of_vertices);
     set_hull(rule, values);
+    if (quantity == Quantity::noperspective && has_end_at_infinity()) leave_open(rule);
     rules_.push_back(rule);
   }
 
@@ -123,6 +124,17 @@ class RuleMaker {
     const bool is_clamped = rule.quantity == Quantity::depth && call_.volume.depth_clamp;
     rule.clamping = is_clamped ? Clamping::must : Clamping::may;
     rule.size = 1;  // of the range
+  }
+
+  bool has_end_at_infinity() const {
+    return std::any_of(vertices_.begin(), vertices_.end(), [&](std::uint32_t number) {
+      return call_.vertices[number].position[3] == 0;
+    });
+  }
+
+  static void leave_open(ValueRule& rule) {
+    rule.least = -std::numeric_limits<double>::infinity();
+    rule.greatest = std::numeric_limits<double>::infinity();
   }
 
   PolygonValues vertex_values(const std::array<double, 3>& n) const {

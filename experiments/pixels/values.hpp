@@ -20,6 +20,8 @@
 //     depth clamp is on, in gl_FragCoord.z it may;
 //   - facing follows the area "clipped or unclipped": of a triangle with one vertex, or three, at
 //     w <= 0 the two differ, so neither is wrong; also where snapping could have turned a sliver;
+//   - a vertex at w = 0 has no place in the window, so that nothing can "vary linearly" from there:
+//     noperspective values of its primitive are any numbers;
 //   - a flat value may lose precision in OpenGL ES (3.2, 13.7.1), where it is interpolated;
 //   - numbers below the normal range may have become 0, numbers beyond 2^32 anything.
 #pragma once

@@ -218,10 +218,10 @@ ProcessResult run_process(const std::string& command, std::string_view input,
   return result;
 }
 
-std::string last_words(const ProcessResult& result) {
+std::string last_words(const std::string& printed) {
   constexpr std::size_t kLines = 3, kMostBytes = 300;
   std::vector<std::string> lines;
-  std::istringstream text(result.errors);
+  std::istringstream text(printed);
   for (std::string line; std::getline(text, line);) {
     line.erase(0, line.find_first_not_of(" \t\r"));
     line.erase(line.find_last_not_of(" \t\r") + 1);
@@ -235,7 +235,7 @@ std::string last_words(const ProcessResult& result) {
   if (words.size() > kMostBytes) {
     words = "..." + valid_utf8(words.substr(words.size() - kMostBytes), "");
   }
-  return words.empty() ? "" : fmt::format(" (standard error: {})", words);
+  return words;
 }
 
 }  // namespace clipscope::experiments

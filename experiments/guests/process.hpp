@@ -35,7 +35,8 @@ ProcessResult run_process(const std::string& command, std::string_view input,
                           std::span<const std::string> environment, std::string_view hidden,
                           const ProcessLimits& limits);
 
-// What it said last on standard error, in one line: " (standard error: a | b)"; empty if nothing.
-std::string last_words(const ProcessResult& result);
+// The last three lines that say something of what a process printed: "a | b | c", made visible,
+// 300 bytes at most; empty if there are none.
+std::string last_words(const std::string& printed);
 
 }  // namespace clipscope::experiments

@@ -36,7 +36,8 @@ struct Program {
 // How it failed; nothing if it ended as it should.
 std::optional<Failure> failure_of(const ProcessResult& result, const ProcessLimits& limits) {
   using End = ProcessResult::End;
-  const std::string words = last_words(result);
+  std::string words = last_words(result.errors);
+  if (!words.empty()) words = fmt::format(" (standard error: {})", words);
   switch (result.end) {
     case End::killed:
       return Failure{

@@ -126,7 +126,11 @@ class FragmentCount {
       const std::vector<WorstPixel> in_column = hits_in_column(k);
       hits += static_cast<int>(in_column.size());
       if (in_column.size() > 1 && is_major_certain_ && !may_double) {
-        accusations.add(0, Quantity::covered, ViolationKind::extra, in_column[1],
+        WorstPixel second = in_column[1];
+        second.channel = major_;
+        second.exact = 1;
+        second.returned = static_cast<float>(in_column.size());
+        accusations.add(0, Quantity::covered, ViolationKind::extra, second,
                         std::numeric_limits<double>::infinity());
       }
       if (!is_needed(k)) continue;
@@ -134,6 +138,8 @@ class FragmentCount {
       if (in_column.empty() && !lacking) lacking = pixel_at(k);
     }
     if (hits >= least - 1 || !lacking) return;
+    lacking->exact = least - 1;
+    lacking->returned = static_cast<float>(hits);
     const auto kind =
         hits == 0 && least >= 3 ? ViolationKind::primitive_lost : ViolationKind::missing;
     for (int i = hits; i < least - 1; ++i) {

@@ -30,7 +30,9 @@ namespace clipscope::experiments {
 Region line_region(const DrawCall& call, std::span<const std::uint32_t> vertices,
                    const DriverInfo& info);
 
-// The rules about numbers of fragments.
+// The rules about numbers of fragments. Of missing ones the worst pixel's values are the least
+// number that the whole line must have and the one that it has; of several in a column (or, its
+// channel 1, in a row) 1 and their number.
 void judge_lines(const DrawCall& call, const std::vector<JudgedPrimitive>& primitives,
                  const Pixels& pixels, const DriverInfo& info, Accusations& accusations);
 

@@ -66,17 +66,19 @@ WindowLine window_line(const DrawCall& call, std::span<const std::uint32_t> vert
   if (line.is_empty) return line;
   for (const double t : {part.s, part.t}) {
     std::array<double, 4> v = {};
-    double size = 0;
+    double size = 0, length = 0;
     for (std::size_t c = 0; c < 4; ++c) {
       const double from = (1 - t) * a.position[c], to = t * b.position[c];
       v[c] = from + to;
       size = std::max(size, std::abs(from) + std::abs(to));
+      length = std::max(length, std::abs(static_cast<double>(b.position[c]) - a.position[c]));
     }
     line.is_uncertain = line.is_uncertain || v[3] <= 0;
     if (line.is_uncertain) return line;
-    const double rounding =
-        2 * operations(true) * size / v[3] * std::max(call.viewport.width, call.viewport.height) +
-        farthest_px(call.viewport);
+    const bool is_cut = t > 0 && t < 1;  // then it may be along the line from there, too: cuts.hpp
+    const double errors = 2 * operations(true) * size + (is_cut ? kClip * length / 2 : 0);
+    const double rounding = errors / v[3] * std::max(call.viewport.width, call.viewport.height) +
+                            farthest_px(call.viewport);
     line.rounding_px = std::max(line.rounding_px, kEpsilon * rounding);
     (t == part.s ? line.a : line.b) = to_window(v[0] / v[3], v[1] / v[3], call.viewport);
   }

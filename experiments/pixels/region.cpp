@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "experiments/pixels/cuts.hpp"
 #include "experiments/pixels/volume_planes.hpp"
 
 namespace clipscope::experiments {
@@ -119,41 +120,52 @@ bool has_twins(const std::array<const DrawVertex*, 3>& v) {
          v[2]->position == v[0]->position;
 }
 
-void add_edges(Region& region, const std::array<const DrawVertex*, 3>& v, const DrawCall& call,
-               const Margins& margins, int orientation) {
+// Near, far and clip distances, then the sides. The viewport's sides are exact, but the vertices
+// that are made on them are not.
+PlaneValues all_planes(const ClipVolume& volume) {
+  PlaneValues planes = planes_in(volume);
+  for (const std::size_t axis : {0, 1}) {
+    for (const double sign : {-1.0, 1.0}) {
+      planes.emplace_back([axis, sign](const DrawVertex& v) {
+        const double c = v.position[axis], w = v.position[3];
+        return PlaneValue{w + sign * c, std::abs(w) + std::abs(c)};
+      });
+    }
+  }
+  return planes;
+}
+
+// Of a triangle that is clipped. A plane that all of it is in may cut it, too, where it is cut by
+// others before: what they make is in that plane up to rounding.
+void add_planes(Region& region, const std::array<const DrawVertex*, 3>& v, const DrawCall& call,
+                const Margins& margins, const std::array<Form, 3>& edges, const Cuts& cuts) {
+  const auto& [x, y, z, w] = v[0]->position;
+  const double det = edges[0].x * x + edges[0].y * y + edges[0].w * w;
+  for (const auto& distance : all_planes(call.volume)) {
+    Form f;
+    std::array<double, 3> d = {};
+    bool is_needed = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const PlaneValue at = distance(*v[i]);
+      f += scaled(edges[i], at.value, at.size);
+      d[i] = at.value;
+      is_needed = is_needed || at.value < 0 || (at.value == 0 && at.size > 0);
+    }
+    if (!is_needed) continue;
+    HalfPlane h = half_plane(f, call.viewport, margins);
+    h.slack += det * cuts.slack(d);
+    region.half_planes.push_back(h);
+  }
+}
+
+std::array<Form, 3> add_edges(Region& region, const std::array<const DrawVertex*, 3>& v,
+                              const DrawCall& call, const Margins& margins, int orientation) {
   std::array<Form, 3> edges;
   for (std::size_t i = 0; i < 3; ++i) {
     edges[i] = scaled(cross(*v[(i + 1) % 3], *v[(i + 2) % 3]), orientation, 1);
     region.half_planes.push_back(half_plane(edges[i], call.viewport, margins));
   }
-  for (const auto& distance : planes_in(call.volume)) {
-    Form f;
-    bool is_needed = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const PlaneValue d = distance(*v[i]);
-      f += scaled(edges[i], d.value, d.size);
-      is_needed = is_needed || d.value < 0;
-    }
-    if (is_needed) region.half_planes.push_back(half_plane(f, call.viewport, margins));
-  }
-}
-
-// The viewport's sides are exact, but the vertices that are made on them are not.
-void add_sides(Region& region, const std::array<const DrawVertex*, 3>& v, const DrawCall& call,
-               const Margins& margins, int orientation) {
-  for (const std::size_t axis : {0, 1}) {
-    for (const double sign : {-1.0, 1.0}) {
-      Form f;
-      bool is_needed = false;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Form edge = scaled(cross(*v[(i + 1) % 3], *v[(i + 2) % 3]), orientation, 1);
-        const double c = v[i]->position[axis], w = v[i]->position[3];
-        f += scaled(edge, w + sign * c, std::abs(w) + std::abs(c));
-        is_needed = is_needed || w + sign * c < 0;
-      }
-      if (is_needed) region.half_planes.push_back(half_plane(f, call.viewport, margins));
-    }
-  }
+  return edges;
 }
 
 }  // namespace
@@ -196,8 +208,8 @@ Region triangle_region(const DrawCall& call, std::span<const std::uint32_t> vert
     add_line(region, v, call, margins);
     region.is_discarded = region.is_inside && has_twins(v);
   } else {
-    add_edges(region, v, call, margins, orientation);
-    if (!region.is_inside) add_sides(region, v, call, margins, orientation);
+    const auto edges = add_edges(region, v, call, margins, orientation);
+    if (!region.is_inside) add_planes(region, v, call, margins, edges, Cuts(call, vertices));
   }
   if (points.empty()) region.is_discarded = true;
   if (points.size() == 3) region.box = around(points, region.box);

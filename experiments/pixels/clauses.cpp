@@ -108,12 +108,18 @@ Sentence hull_sentence(Shape shape, Quantity quantity) {
   return quantity == Quantity::depth ? kDepth : kConvex;
 }
 
+// A pixel that is hit twice, or one where nothing is to be seen.
+Sentence extra_sentence(Shape shape, Quantity quantity) {
+  const bool is_clipping = shape != Shape::point && quantity == Quantity::covered;
+  return is_clipping ? kClipping : coverage_sentence(shape);
+}
+
 Sentence sentence_of(Shape shape, ViolationKind kind, Quantity quantity) {
   switch (kind) {
     case ViolationKind::not_finite:
     case ViolationKind::outside_hull: return hull_sentence(shape, quantity);
     case ViolationKind::wrong_value: return exact_value_sentence(shape, quantity);
-    case ViolationKind::extra: return shape == Shape::point ? kPointCoverage : kClipping;
+    case ViolationKind::extra: return extra_sentence(shape, quantity);
     case ViolationKind::missing:
     case ViolationKind::primitive_lost:
     case ViolationKind::zero_area: return coverage_sentence(shape);

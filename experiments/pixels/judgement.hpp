@@ -65,7 +65,8 @@ struct Violation {
 
 // Of legal values: how far from the exact one. In ulp of float at the exact value; where its terms
 // cancel, at their sum without signs, since no interpolation can do better: at a varying of -1 and
-// 1 that is 0 in the middle, an ulp is that of 1.
+// 1 that is 0 in the middle, an ulp is that of 1. What is legal though it isn't the exact value up
+// to rounding (values.hpp, 2 and 3) is measured in ulp at the greatest value of a vertex.
 struct UlpErrors {
   static constexpr std::size_t kBins = 34;
   // Bin 0: at most 1/2 ulp (correctly rounded); bin k: at most 2^(k-1); the last one all beyond.

@@ -11,7 +11,7 @@
 namespace clipscope::experiments {
 namespace {
 
-Judgement judged(const DrawCall& call, OwnDriver& driver) {
+Judgement judged_by(const DrawCall& call, OwnDriver& driver) {
   const Drawn drawn = driver.draw(call);
   return judge_pixels(call, std::get<Pixels>(drawn), driver.info());
 }
@@ -52,7 +52,7 @@ void check_clean(Maker maker, int calls, const OwnDriverSetup& setup) {
   std::uint64_t pixels = 0;
   for (int i = 0; i < calls; ++i) {
     const DrawCall call = maker(random);
-    const Judgement judgement = judged(call, driver);
+    const Judgement judgement = judged_by(call, driver);
     INFO(told(call, judgement));
     CHECK(judgement.violations.empty());
     pixels += judgement.pixels;
@@ -185,7 +185,7 @@ TEST_CASE("own driver: each seeded fault is found, and is not there without it",
   std::set<RasterFault> shown;
   for (const FaultCase& given : fault_cases()) {
     OwnDriver right, wrong(given.fault);
-    const Judgement clean = judged(given.call, right), found = judged(given.call, wrong);
+    const Judgement clean = judged_by(given.call, right), found = judged_by(given.call, wrong);
     INFO(wrong.info().version << '\n' << told(given.call, clean) << told(given.call, found));
     CHECK(clean.violations.empty());
     CHECK(has(found, given.kind, given.quantity));

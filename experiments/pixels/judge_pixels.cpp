@@ -61,7 +61,10 @@ Judgement judge_pixels(const DrawCall& call, const Pixels& pixels, const DriverI
   Judgement judgement;
   judgement.apart = apart_of(call);
   std::vector<JudgedPrimitive> primitives;
-  for (auto& vertices : primitives_of(call)) primitives.push_back(judged(call, vertices, info));
+  for (auto& vertices : primitives_of(call)) {
+    if (is_divided_by_zero(call, vertices, info)) judgement.apart = "a line that is divided by 0";
+    primitives.push_back(judged(call, vertices, info));
+  }
   Accusations accusations;
   const CoverageMap map = coverage_map(call, primitives);
   judge_coverage(primitives, map, pixels, accusations, judgement);

@@ -34,10 +34,16 @@ struct Part {
   }
 };
 
-Part part_between(const DrawVertex& a, const DrawVertex& b, const ClipVolume& volume,
-                  const Sides& sides) {
+// Between near and far, and where clip distances leave it.
+Part part_between_planes(const DrawVertex& a, const DrawVertex& b, const ClipVolume& volume) {
   Part part;
   for (const auto& plane : planes_in(volume)) part.cut(plane(a).value, plane(b).value);
+  return part;
+}
+
+Part part_between(const DrawVertex& a, const DrawVertex& b, const ClipVolume& volume,
+                  const Sides& sides) {
+  Part part = part_between_planes(a, b, volume);
   const auto side = [&](std::size_t axis, double place, double sign) {
     const auto distance = [&](const DrawVertex& v) {
       return sign * (place * v.position[3] - static_cast<double>(v.position[axis]));
@@ -128,7 +134,11 @@ class FragmentCount {
       const std::vector<WorstPixel> in_column = hits_in_column(k);
       hits += static_cast<int>(in_column.size());
       if (in_column.size() > 1 && is_major_certain_ && !may_double) {
-        accusations.add(0, Quantity::covered, ViolationKind::extra, in_column[1],
+        WorstPixel second = in_column[1];
+        second.channel = major_;
+        second.exact = 1;
+        second.returned = static_cast<float>(in_column.size());
+        accusations.add(0, Quantity::covered, ViolationKind::extra, second,
                         std::numeric_limits<double>::infinity());
       }
       if (!is_needed(k)) continue;
@@ -136,6 +146,8 @@ class FragmentCount {
       if (in_column.empty() && !lacking) lacking = pixel_at(k);
     }
     if (hits >= least - 1 || !lacking) return;
+    lacking->exact = least - 1;
+    lacking->returned = static_cast<float>(hits);
     const auto kind =
         hits == 0 && least >= 3 ? ViolationKind::primitive_lost : ViolationKind::missing;
     for (int i = hits; i < least - 1; ++i) {
@@ -192,6 +204,18 @@ class FragmentCount {
 };
 
 }  // namespace
+
+bool is_divided_by_zero(const DrawCall& call, std::span<const std::uint32_t> vertices,
+                        const DriverInfo& info) {
+  if (info.api != GraphicsApi::webgl || vertices.size() != 2) return false;
+  const DrawVertex &a = call.vertices[vertices[0]], &b = call.vertices[vertices[1]];
+  const Part part = part_between_planes(a, b, call.volume);
+  if (part.s > part.t) return false;
+  const double least = kEpsilon * std::max(std::abs(a.position[3]), std::abs(b.position[3]));
+  return std::ranges::any_of(std::array{part.s, part.t}, [&](double t) {
+    return (1 - t) * a.position[3] + t * b.position[3] <= least;
+  });
+}
 
 Region line_region(const DrawCall& call, std::span<const std::uint32_t> vertices,
                    const DriverInfo& info) {

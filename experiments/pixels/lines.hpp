@@ -26,11 +26,19 @@
 
 namespace clipscope::experiments {
 
+// Whether a line of OpenGL ES has an end that is divided by 0. It is clipped to near and far alone
+// (3.2, 12.5), which leaves an end with w = 0 = z, and what a division by 0 gives is unspecified
+// (2.3.4.6). OpenGL clips it to the sides first.
+bool is_divided_by_zero(const DrawCall& call, std::span<const std::uint32_t> vertices,
+                        const DriverInfo& info);
+
 // Covers nothing for certain. If rounding could move an end by more than 1/4 px, all is open.
 Region line_region(const DrawCall& call, std::span<const std::uint32_t> vertices,
                    const DriverInfo& info);
 
-// The rules about numbers of fragments.
+// The rules about numbers of fragments. Of missing ones the worst pixel's values are the least
+// number that the whole line must have and the one that it has; of several in a column (or, its
+// channel 1, in a row) 1 and their number.
 void judge_lines(const DrawCall& call, const std::vector<JudgedPrimitive>& primitives,
                  const Pixels& pixels, const DriverInfo& info, Accusations& accusations);
 

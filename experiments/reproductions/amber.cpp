@@ -25,6 +25,7 @@ std::string features(const DrawCall& call, const Check& check) {
   if (call.volume.depth_clamp) text += "DEVICE_FEATURE depthClamp\n";
   if (call.volume.clip_distances > 0) text += "DEVICE_FEATURE shaderClipDistance\n";
   if (check.quantity == Quantity::primitive_id) text += "DEVICE_FEATURE geometryShader\n";
+  if (check.counts()) text += "DEVICE_FEATURE fragmentStoresAndAtomics\n";
   if (call.topology == Topology::points && call.point_size != 1) {
     text += "DEVICE_FEATURE largePoints\n";
   }
@@ -66,11 +67,7 @@ std::string pipeline_text(const DrawCall& call, const Check& check, const Pipeli
     text += fmt::format("  VERTEX_DATA {}{} LOCATION {}\n", inputs[i].name, pipeline.suffix, i);
   }
   if (pipeline.is_indexed) text += "  INDEX_DATA indices\n";
-  if (check.counts()) {
-    text +=
-        "  BLEND\n    SRC_COLOR_FACTOR one\n    DST_COLOR_FACTOR one\n    COLOR_OP add\n"
-        "    SRC_ALPHA_FACTOR one\n    DST_ALPHA_FACTOR one\n    ALPHA_OP add\n  END\n";
-  }
+  if (check.counts()) text += "  BIND BUFFER fragments AS storage DESCRIPTOR_SET 0 BINDING 0\n";
   const bool has_depth = !pipeline.depth_compare.empty();
   if (has_depth) text += "  BIND BUFFER depth AS depth_stencil\n";
   if (has_depth || call.volume.depth_clamp) {
@@ -82,9 +79,11 @@ std::string pipeline_text(const DrawCall& call, const Check& check, const Pipeli
   return text + "END\n\n";
 }
 
-std::string images(bool has_depth) {
-  return fmt::format("BUFFER target FORMAT R8G8B8A8_UNORM\n{}\n",
-                     has_depth ? "BUFFER depth FORMAT D32_SFLOAT\n" : "");
+std::string images(const Check& check) {
+  std::string text = "BUFFER target FORMAT R8G8B8A8_UNORM\n";
+  if (check.kind == Check::Kind::depth) text += "BUFFER depth FORMAT D32_SFLOAT\n";
+  if (check.counts()) text += "BUFFER fragments DATA_TYPE uint32 DATA\n0\nEND\n";
+  return text + "\n";
 }
 
 std::string index_buffer(const DrawCall& call) {
@@ -95,9 +94,7 @@ std::string index_buffer(const DrawCall& call) {
 
 std::string clear(const Check& check) {
   const bool is_right = check.kind == Check::Kind::fragments && check.fragments == 0;
-  const std::string_view colour = check.counts() ? "0 0 0 0"
-                                  : is_right     ? "0 255 0 255"
-                                                 : "255 0 0 255";
+  const std::string_view colour = is_right ? "0 255 0 255" : "255 0 0 255";
   const bool has_depth = check.kind == Check::Kind::depth;
   return fmt::format("CLEAR_COLOR drawing {}\n{}CLEAR drawing\n", colour,
                      has_depth ? fmt::format("CLEAR_DEPTH drawing {}\n", kNoDepth) : "");
@@ -111,9 +108,13 @@ std::string run(const DrawCall& call) {
 
 std::string expectation(const Check& check) {
   if (check.kind == Check::Kind::ends) return {};
-  const int sum = kColourOfOne * check.fragments;
-  const std::string colour = check.counts() ? fmt::format("{0} {0} {0} {0}", sum) : "0 255 0 255";
-  return fmt::format("EXPECT target IDX {} {} SIZE 1 1 EQ_RGBA {}\n", check.x, check.y, colour);
+  if (check.counts()) {
+    const std::string_view comparison = check.comparison() == "=="   ? "EQ"
+                                        : check.comparison() == ">=" ? "GE"
+                                                                     : "LE";
+    return fmt::format("EXPECT fragments IDX 0 {} {}\n", comparison, check.fragments);
+  }
+  return fmt::format("EXPECT target IDX {} {} SIZE 1 1 EQ_RGBA 0 255 0 255\n", check.x, check.y);
 }
 
 // What lies behind the greatest right depth or in front of the least one is painted over in red.
@@ -155,8 +156,8 @@ std::string amber_script(const Case& it) {
          shader("vertex", "vertex_shader", shaders.vertex) +
          shader("fragment", "fragment_shader", shaders.fragment) +
          vertex_buffers(call.vertices, inputs_of(call, check), "") + index_buffer(call) +
-         bounds.buffers + images(has_depth) + pipeline_text(call, check, drawing) +
-         bounds.pipelines + clear(check) + run(call) + bounds.runs + expectation(check);
+         bounds.buffers + images(check) + pipeline_text(call, check, drawing) + bounds.pipelines +
+         clear(check) + run(call) + bounds.runs + expectation(check);
 }
 
 }  // namespace clipscope::experiments

@@ -86,7 +86,9 @@ draw arrays GL_TRIANGLES {} 6
 
 std::string probe(const Check& check) {
   if (check.kind == Check::Kind::ends) return {};
-  if (check.counts()) return fmt::format("probe atomic counter 0 == {}\n", check.fragments);
+  if (check.counts()) {
+    return fmt::format("probe atomic counter 0 {} {}\n", check.comparison(), check.fragments);
+  }
   return fmt::format("probe rgba {} {} 0.0 1.0 0.0 1.0\n", check.x, check.y);
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <utility>
 
 #include "experiments/backends/webgl/webgl_call.hpp"
@@ -54,16 +55,25 @@ Place place_of(const Check& check, const std::vector<Pass>& passes) {
   return {};
 }
 
+std::string_view region_name(Check::Region region) {
+  constexpr std::array<std::string_view, 4> kNames = {"pixel", "column", "row", "target"};
+  return kNames[static_cast<std::size_t>(region)];
+}
+
 std::string check_text(const DrawCall& call, const Check& check, const std::vector<Pass>& passes) {
   const Place place = place_of(check, passes);
   const bool is_count = check.kind == Check::Kind::fragments;
-  const double least = is_count ? check.fragments : static_cast<double>(check.least);
-  const double greatest = is_count ? check.fragments : static_cast<double>(check.greatest);
+  double least = check.least, greatest = check.greatest;
+  if (is_count) {
+    least = check.comparison() == "<=" ? 0 : check.fragments;
+    greatest = check.comparison() == ">=" ? 1e9 : check.fragments;
+  }
   return fmt::format(
-      "{{ x: {}, y: {}, pass: {}, output: {}, channels: {}, channel: {}, least: {}, greatest: {},\n"
+      "{{ region: '{}', x: {}, y: {}, pass: {}, output: {}, channels: {}, channel: {}, least: {}, greatest: {},\n"
       "  endsOnly: {}, needs: [{}] }}",
-      check.x, check.y, place.pass, place.output, place.channels, place.channel, least, greatest,
-      check.kind == Check::Kind::ends, fmt::join(needs(call, check), ", "));
+      region_name(check.region), check.x, check.y, place.pass, place.output, place.channels,
+      place.channel, least, greatest, check.kind == Check::Kind::ends,
+      fmt::join(needs(call, check), ", "));
 }
 
 void replace(std::string& text, std::string_view mark, std::string_view by) {

@@ -51,6 +51,25 @@ TEST_CASE("judgement: what is right has no violation, and its errors are counted
   CHECK(judgement.pixels == 62);
 }
 
+TEST_CASE("judgement: a line that OpenGL ES divides by 0 accuses nobody, one in OpenGL does",
+          "[pixels]") {
+  DrawCall call = call_of(Topology::lines, {vertex_at(0, 0, 0, 1), vertex_at(0, 1, 0, 0)}, 16);
+  const auto judged_as = [&](GraphicsApi api) {
+    Pixels nothing = drawn(call);
+    for (auto& values : nothing.values) std::fill(values.begin(), values.end(), 0.0f);
+    DriverInfo info = OwnDriver().info();
+    info.api = api;
+    return judge_pixels(call, nothing, info);
+  };
+  CHECK(judged_as(GraphicsApi::webgl).apart == "a line that is divided by 0");
+  const Judgement in_opengl = judged_as(GraphicsApi::opengl);
+  CHECK(in_opengl.apart.empty());
+  CHECK(!in_opengl.violations.empty());
+  call.vertices[1].position[2] = 1;  // near and far cut it off before
+  CHECK(judged_as(GraphicsApi::webgl).apart.empty());
+  CHECK(!judged_as(GraphicsApi::webgl).violations.empty());
+}
+
 TEST_CASE("judgement: one wrong number is found at its pixel and channel", "[pixels]") {
   struct Change {
     Quantity quantity;

@@ -175,6 +175,12 @@ class Reader {
 
   void bind(const Words& w, std::map<std::string, std::string>& has) {
     require(w.size() >= 5 && w[1] == "BUFFER" && w[3] == "AS", "BIND BUFFER {name} AS ...");
+    if (w[4] == "storage") {
+      return require(w.size() == 9 && buffers_[w[2]] == "DATA_TYPE uint32" &&
+                         w[5] == "DESCRIPTOR_SET" && w[6] == "0" && w[7] == "BINDING" &&
+                         w[8] == "0",
+                     "BIND BUFFER {name} AS storage DESCRIPTOR_SET 0 BINDING 0");
+    }
     const bool is_colour = w[4] == "color" && w.size() == 7 && w[5] == "LOCATION" && w[6] == "0";
     const bool is_depth = w[4] == "depth_stencil" && w.size() == 5;
     require(is_colour ? buffers_[w[2]] == "FORMAT R8G8B8A8_UNORM"
@@ -185,20 +191,13 @@ class Reader {
 
   void block(const std::string& name) {
     using Values = std::set<std::string>;
-    const Values on_off = {"on", "off"}, factor = {"one", "zero"};
+    const Values on_off = {"on", "off"};
     const std::map<std::string, std::map<std::string, Values>> blocks = {
         {"DEPTH",
          {{"TEST", on_off},
           {"WRITE", on_off},
           {"CLAMP", on_off},
-          {"COMPARE_OP", {"less", "greater", "always"}}}},
-        {"BLEND",
-         {{"SRC_COLOR_FACTOR", factor},
-          {"DST_COLOR_FACTOR", factor},
-          {"COLOR_OP", {"add"}},
-          {"SRC_ALPHA_FACTOR", factor},
-          {"DST_ALPHA_FACTOR", factor},
-          {"ALPHA_OP", {"add"}}}}};
+          {"COMPARE_OP", {"less", "greater", "always"}}}}};
     require(blocks.contains(name), "unknown in a pipeline: " + name);
     const std::map<std::string, Values>& options = blocks.at(name);
     for (Words w = words_before_end(); w != Words{"END"}; w = words_before_end()) {
@@ -232,11 +231,18 @@ class Reader {
   }
 
   void expect(const Words& w) {
-    require(w.size() == 13 && buffers_[w[1]] == "FORMAT R8G8B8A8_UNORM" && w[2] == "IDX" &&
-                is_integer(w[3]) && is_integer(w[4]) && w[5] == "SIZE" && w[6] == "1" &&
-                w[7] == "1" && w[8] == "EQ_RGBA",
-            "EXPECT {buffer} IDX {x} {y} SIZE 1 1 EQ_RGBA ...");
-    colour(w, 9);
+    require(w.size() > 2 && w[2] == "IDX", "EXPECT {buffer} IDX ...");
+    if (buffers_[w[1]] == "DATA_TYPE uint32") {
+      static const std::set<std::string> kComparators = {"EQ", "GE", "LE"};
+      require(w.size() == 6 && w[3] == "0" && kComparators.contains(w[4]) && is_integer(w[5]),
+              "EXPECT {buffer} IDX 0 {comparator} {value}");
+    } else {
+      require(w.size() == 13 && buffers_[w[1]] == "FORMAT R8G8B8A8_UNORM" && is_integer(w[3]) &&
+                  is_integer(w[4]) && w[5] == "SIZE" && w[6] == "1" && w[7] == "1" &&
+                  w[8] == "EQ_RGBA",
+              "EXPECT {buffer} IDX {x} {y} SIZE 1 1 EQ_RGBA ...");
+      colour(w, 9);
+    }
     ++script_.expectations;
   }
 

@@ -46,6 +46,14 @@ DrawCall point() {
   return call;
 }
 
+// From the middle to the right, half of it beyond the target: 16 px, x-major.
+DrawCall line() {
+  DrawCall call;
+  call.topology = Topology::lines;
+  call.vertices = {{{0, 0.25f, 0, 1}}, {{2, 0.75f, 0, 1}}};
+  return call;
+}
+
 // Each covers the quarter once.
 DrawCall twice() {
   DrawCall call = quarter();
@@ -84,6 +92,8 @@ std::vector<Claim> right_claims() {
       {"extra", quarter(), violation(Quantity::covered, K::extra, {4, 24, 0, 0, 1})},
       {"shared edge", quarter(), violation(Quantity::hits, K::shared_edge, {20, 24, 0, 1, 2})},
       {"two of them", twice(), violation(Quantity::hits, K::missing, {18, 18, 0, 2, 1})},
+      {"line", line(), violation(Quantity::covered, K::missing, {24, 22, 0, 14, 2})},
+      {"column", line(), violation(Quantity::covered, K::extra, {24, 22, 0, 1, 2})},
       {"point", point(), violation(Quantity::covered, K::primitive_lost, {17, 17, 0, 1, 0})},
       {"clip distance", with_everything(),
        violation(Quantity::clip_distances, K::outside_hull, {16, 16, 5, 1.5 - 16.5 / 32, 9})},
@@ -94,6 +104,14 @@ Claim turned(Claim claim) {
   WorstPixel& worst = claim.wrong.worst;
   const bool is_hull = claim.wrong.kind == ViolationKind::outside_hull;
   if (is_hull) claim.wrong.kind = ViolationKind::wrong_value;
+  if (claim.name == "line") {  // more than there can be
+    worst.exact = 20;
+    return claim;
+  }
+  if (claim.name == "column") {  // at most 1 in a row, which has several
+    worst.channel = 1;
+    return claim;
+  }
   const double right = worst.exact;
   worst.exact = std::isnan(worst.returned) ? right + 3 : worst.returned;
   worst.returned = static_cast<float>(right);

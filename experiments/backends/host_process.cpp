@@ -148,7 +148,7 @@ DrawFailure HostProcess::fail(bool is_late, double seconds) {
   const bool ended =
       ends_before(process_, Clock::now() + std::chrono::duration_cast<Clock::duration>(patience));
   const int status = end();
-  const std::string words = last_words(printed_);
+  const std::string words = last_errors(printed_);
   if (ended) return {Kind::crashed, end_text(status) + words};
   if (is_late) {
     return {Kind::timed_out, fmt::format("does not answer within {:g} s{}", seconds, words)};
@@ -159,7 +159,7 @@ DrawFailure HostProcess::fail(bool is_late, double seconds) {
 DrawFailure HostProcess::fail_for_nonsense() {
   end();
   return {DrawFailure::Kind::crashed,
-          "answered with bytes that are no answer" + last_words(printed_)};
+          "answered with bytes that are no answer" + last_errors(printed_)};
 }
 
 int HostProcess::end() {

@@ -98,8 +98,12 @@ std::vector<KnownDriver> make_known_drivers() {
   KnownDriver swiftshader = vulkan_driver("swiftshader", swiftshader_place.package);
   swiftshader.renderer = "SwiftShader";
   use_manifest(swiftshader, swiftshader_place);
+  // ANGLE on SwiftShader, the stack in which Chromium draws without a graphics card.
   const KnownDriver webgl = {
-      .name = "webgl", .host = "clipscope_draw_webgl", .package = "chromium"};
+      .name = "webgl",
+      .host = "clipscope_draw_webgl",
+      .arguments = {"--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"},
+      .package = "chromium"};
   KnownDriver standard = opengl_driver("default", {});
   standard.renderer.clear();
   return {mesa_driver("llvmpipe"),

@@ -247,6 +247,10 @@ bool write_all(int file, const char* from, std::size_t size) {
          size;
 }
 
+Drawn too_many_pixels() {
+  return DrawFailure{DrawFailure::Kind::unable, "has no room for so many pixels"};
+}
+
 // A driver that hangs would outlive the program otherwise.
 void end_with_program() {
   std::thread([] {
@@ -317,7 +321,9 @@ int serve(Driver* driver, const std::string& reason_for_none) {
   while (const std::optional<std::string> frame = read_frame(kHostSocket)) {
     const std::optional<DrawCall> call = draw_call_of(*frame);
     if (!call) return 1;
-    if (!write_frame(kHostSocket, to_bytes(driver->draw(*call)))) return 1;
+    std::string answer = to_bytes(driver->draw(*call));
+    if (answer.size() > kMostFrameBytes) answer = to_bytes(too_many_pixels());
+    if (!write_frame(kHostSocket, answer)) return 1;
   }
   return 0;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "experiments/guests/conduct.hpp"
+
 namespace clipscope::experiments {
 namespace {
 
@@ -110,14 +112,7 @@ Variant neighbours(const Batch& batch, const std::vector<char>& has_room, bool a
   return variant;
 }
 
-Variant reversed(const Batch& batch) {
-  Variant variant(batch);
-  const std::size_t numbers = 3 * batch.stride();
-  for (std::size_t i = 0; i < batch.size() * numbers; ++i) {
-    variant.number(batch.size() - 1 - i / numbers, 0, i % numbers) = batch.number(i);
-  }
-  return variant;
-}
+Variant reversed(const Batch& batch) { return {batch, reversed_numbers(batch)}; }
 
 Variant alone(const Batch& batch, std::size_t triangle) {
   Batch one = batch;

@@ -151,7 +151,7 @@ std::string amber_script(const Case& it) {
   const DepthBounds bounds = has_depth ? depth_bounds(call, check) : DepthBounds{};
   const Pipeline drawing = {"drawing", "fragment_shader", "", has_depth ? "always" : "",
                             !call.indices.empty()};
-  return fmt::format("#!amber\n# {}\n\n", fmt::join(it.about, "\n# ")) + features(call, check) +
+  return "#!amber\n" + comment(it, "#") + "\n" + features(call, check) +
          shader("vertex", "vertex_shader", shaders.vertex) +
          shader("fragment", "fragment_shader", shaders.fragment) +
          vertex_buffers(call.vertices, inputs_of(call, check), "") + index_buffer(call) +

@@ -74,10 +74,6 @@ void set_bounds(const DrawCall& call, const Violation& violation, Check& check) 
 // Whether it is a + b exactly: of the two differences that of the larger one has no error.
 bool is_sum(double sum, double a, double b) { return sum - a == b && sum - b == a; }
 
-std::string fragments_text(int count) {
-  return count == 0 ? "no fragment" : fmt::format("{} fragment{}", count, count == 1 ? "" : "s");
-}
-
 }  // namespace
 
 Check check_of(const DrawCall& call, const Violation& violation) {
@@ -97,6 +93,10 @@ Check check_of(const DrawCall& call, const Violation& violation) {
     set_bounds(call, violation, check);
   }
   return check;
+}
+
+std::string fragments_text(int count) {
+  return count == 0 ? "no fragment" : fmt::format("{} fragment{}", count, count == 1 ? "" : "s");
 }
 
 std::string subject_of(const Check& check) {

@@ -32,6 +32,8 @@ struct Check {
 };
 Check check_of(const DrawCall& call, const Violation& violation);
 
+// "2 fragments".
+std::string fragments_text(int count);
 // "pixel (16, 9), noperspective[0]".
 std::string subject_of(const Check& check);
 // "between 0.25 and 0.75", "1 fragment": what is right.

@@ -30,12 +30,14 @@ constexpr std::array<std::string_view, 6> names_of(WSigns) {
 }
 
 enum class LatticeNumbers : std::uint8_t {
-  small,          // x, y, z in -2 ... 2, w in -3 ... 3
-  larger,         // x, y, z in -9 ... 9, w in -5 ... 5; or multiples of 1/2 and 1/4
-  scaled,         // one vertex times 2^-12 ... 2^12, or all times 2^-60 ... 2^28
-  far_vertex,     // x, y or z of one vertex times 2^10 ... 2^24
-  small_w,        // w of one vertex times 2^-24 ... 2^-4: far away, too, and beside the eye
-  close_vertices  // two vertices 2^-12 ... 2^-3 apart in one coordinate: slivers and short segments
+  small,       // x, y, z in -2 ... 2, w in -3 ... 3
+  larger,      // x, y, z in -9 ... 9, w in -5 ... 5; or multiples of 1/2 and 1/4
+  scaled,      // one vertex times 2^-12 ... 2^12, or all times 2^-60 ... 2^28
+  far_vertex,  // x, y or z of one vertex times 2^10 ... 2^24
+  small_w,     // w of one vertex times 2^-24 ... 2^-4: far away, too, and beside the eye
+  // Two vertices 2^-12 ... 2^-3 apart in one coordinate, alike in all or in w alone: slivers,
+  // short segments, edges nearly level or upright.
+  close_vertices
 };
 constexpr std::array<std::string_view, 6> names_of(LatticeNumbers) {
   return {"small", "larger", "scaled", "far_vertex", "small_w", "close_vertices"};

@@ -58,6 +58,7 @@ GlDriver::GlDriver() : info_(describe_driver()) {
   glDepthFunc(GL_ALWAYS);
   glBlendFunc(GL_ONE, GL_ONE);
   glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
+  check_errors("preparing the context");
 }
 
 GlDriver::~GlDriver() = default;

@@ -2,7 +2,6 @@
 //
 // clipscope_misbehaving_host [GREETING]: a host that does what the name of a draw call says, and
 // greets as its argument says. Its version is the number of its process.
-#include <signal.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -35,7 +34,7 @@ class Misbehaving : public Driver {
   Drawn draw(const DrawCall& call) override {
     if (call.name == "crash") {
       std::fputs("mine: an invariant is broken\n", stderr);
-      raise(SIGSEGV);
+      std::abort();
     }
     if (call.name == "hang") pause();
     if (call.name == "end") std::exit(3);

@@ -61,7 +61,7 @@ TEST_CASE("driver process: however a draw call ends, it is told, and the next on
     DrawFailure failure;
   } const kEnds[] = {
       {"crash",
-       {Kind::crashed, "was ended by SIGSEGV (standard error: mine: an invariant is broken)"}},
+       {Kind::crashed, "was ended by SIGABRT (standard error: mine: an invariant is broken)"}},
       {"end", {Kind::crashed, "ended with exit code 3"}},
       {"hang", {Kind::timed_out, "does not answer within 0.5 s"}},
       {"nonsense", {Kind::crashed, "answered with bytes that are no answer"}},

@@ -208,3 +208,65 @@ TEST_CASE("promise: floats that are merely good are not correctly rounded") {
   }
   CHECK(broken > 50);
 }
+
+namespace {
+
+// Of the answer of a chain in float, which must not break its promise.
+PromiseVerdict verdict_in(const Frustum<float>& frustum, const SceneTriangle& triangle) {
+  View view;
+  view.frustum = frustum;
+  const Batch batch = batch_of(view, {&triangle, 1});
+  const Contestant& clipper = find_contestant("homogeneous/sutherland_hodgman", "float");
+  const PromiseCheck result = PromiseChecker(batch).check(
+      clipper.promise, reference::input_triangle(triangle), clip(clipper, batch)[0]);
+  INFO(result.reason);
+  CHECK(result.verdict != PromiseVerdict::broken);
+  return result.verdict;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "promise: it speaks of the smallest frusta whose matrix has normal numbers, and is kept") {
+  SceneTriangle triangle = straddling();
+  for (auto& v : triangle) {
+    for (int i = 0; i < 3; ++i) v.position[i] *= 0x1p-125f;
+  }
+  const Frustum<float> smallest{.left = -0x1p-125f,
+                                .right = 0x1p-125f,
+                                .bottom = -0x1p-125f,
+                                .top = 0x1p-125f,
+                                .near = 0x1.02791p-125f,
+                                .far = 0x1.04p-123f,
+                                .depth = DepthRange::reversed};
+  CHECK(verdict_in(smallest, triangle) == PromiseVerdict::kept);
+  Frustum<float> wide = smallest;
+  wide.right = 0x1p+4f;  // 2 near / (right - left) is no normal number
+  CHECK(verdict_in(wide, triangle) == PromiseVerdict::outside_domain);
+  wide.right = 0x1p-50f;  // the square of right / near is none at all
+  CHECK(verdict_in(wide, triangle) == PromiseVerdict::outside_domain);
+  Frustum<float> nearer = smallest;
+  nearer.near = 0x1p-130f;
+  CHECK(verdict_in(nearer, triangle) == PromiseVerdict::outside_domain);
+}
+
+TEST_CASE("promise: it speaks of frusta up to the largest floats, but not of sums beyond them") {
+  const SceneTriangle triangle = straddling();
+  CHECK(verdict_in({.far = 0x1.fffffep+127f}, triangle) == PromiseVerdict::kept);
+  CHECK(verdict_in({.near = 0x1p+110f, .far = 0x1.fffffep+127f}, triangle) ==
+        PromiseVerdict::outside_domain);
+  CHECK(verdict_in({.left = -0x1p+127f, .right = 0x1.8p+127f}, triangle) ==
+        PromiseVerdict::outside_domain);
+}
+
+// Subnormal numbers have fewer bits than others: the bound has a smallest number beside u M.
+TEST_CASE("promise: an attribute may be off by as many of the smallest numbers, not more") {
+  SceneTriangle triangle = straddling();
+  for (std::size_t i = 0; i < 3; ++i) triangle[i].attributes[static_cast<int>(i)] = 0x1p-140f;
+  Vertices answer = clipped_by("homogeneous/sutherland_hodgman", triangle);
+  CHECK(check(kFull, answer, triangle).verdict == PromiseVerdict::kept);
+  answer[1].attributes[3] += 60 * 0x1p-149f;
+  CHECK(check(kFull, answer, triangle).verdict == PromiseVerdict::kept);
+  answer[1].attributes[3] += 60 * 0x1p-149f;
+  CHECK(check(kFull, answer, triangle).verdict == PromiseVerdict::broken);
+}

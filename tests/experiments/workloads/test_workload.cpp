@@ -18,12 +18,6 @@ namespace {
 
 const WorkloadOptions kFew{.lattice = 600, .random = 80, .scenes = false};
 
-std::vector<DrawCall> draws(const WorkloadOptions& options, const DriverInfo& info) {
-  std::vector<DrawCall> all;
-  for_each_draw_call(options, info, [&](const DrawCall& call) { all.push_back(call); });
-  return all;
-}
-
 }  // namespace
 
 TEST_CASE("workload: the same options make the same draw calls") {

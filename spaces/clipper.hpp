@@ -48,8 +48,9 @@ inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 //
 // It speaks of triangles whose visible part keeps w above that error (all that a near plane lets
 // through), of numbers that do not overflow, and of frusta of which the entries of the matrix are 0
-// or normal numbers and the squares of the sides' slopes do not overflow. `clipscope verify` checks
-// a promise on every triangle, and the tests try to break it.
+// or normal numbers, the squares of the sides' slopes do not overflow, and the distance between two
+// sides on the near plane times M is a normal number. `clipscope verify` checks a promise on every
+// triangle, and the tests try to break it.
 struct Promise {
   // Which finite triangles the error bound speaks of.
   enum class Domain {

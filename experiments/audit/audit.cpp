@@ -7,6 +7,7 @@
 #include <chrono>
 #include <utility>
 
+#include "experiments/audit/hunting.hpp"
 #include "experiments/audit/smallest_draw.hpp"
 #include "experiments/machine/progress.hpp"
 #include "experiments/survey/sweep.hpp"
@@ -161,19 +162,26 @@ void shrink_findings(DriverPool& drivers, double seconds, Audit& audit) {
       });
 }
 
+void draw_all(DriverPool& drivers, std::span<const DrawCall> calls, const std::string& title,
+              Gathering& gathering) {
+  Progress progress(title, calls.size());
+  std::size_t next = 0;
+  work_in_order(
+      calls.size(), kAtOnce, progress, [&](std::size_t i) { return outcome_of(drivers, calls[i]); },
+      [&](const CallOutcome& outcome) { gathering.add(calls[next++], outcome); });
+}
+
 }  // namespace
 
 Audit audit_driver(const std::string& name, DriverPool& drivers, std::span<const DrawCall> calls,
                    const AuditLimits& limits) {
   Audit audit{.driver = name, .info = drivers.info()};
-  {
-    Progress progress("audit " + name, calls.size());
-    Gathering gathering(audit);
-    std::size_t next = 0;
-    work_in_order(
-        calls.size(), kAtOnce, progress,
-        [&](std::size_t i) { return outcome_of(drivers, calls[i]); },
-        [&](const CallOutcome& outcome) { gathering.add(calls[next++], outcome); });
+  Gathering gathering(audit);
+  draw_all(drivers, calls, "audit " + name, gathering);
+  if (limits.hunted > 0) {
+    const std::vector<DrawCall> worse =
+        hunted_calls(drivers, calls, audit, {.evaluations = limits.hunted, .seed = limits.seed});
+    draw_all(drivers, worse, "audit what was hunted", gathering);
   }
   merge_plainer(audit.findings);
   if (limits.shrinks) shrink_findings(drivers, limits.seconds_each, audit);

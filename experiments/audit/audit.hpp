@@ -67,6 +67,9 @@ struct Audit {
 struct AuditLimits {
   bool shrinks = true;
   double seconds_each = 10;  // for shrinking one finding
+  // Draw calls of a hunt for worse ones, see hunting.hpp; what it finds is drawn like the others.
+  std::size_t hunted = 0;
+  std::uint64_t seed = 1;  // of the hunt
 };
 
 // name: of the driver. The calls are drawn in their order; what the driver can't is counted.

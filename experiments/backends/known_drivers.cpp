@@ -103,6 +103,7 @@ std::vector<KnownDriver> make_known_drivers() {
       .name = "webgl",
       .host = "clipscope_draw_webgl",
       .arguments = {"--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"},
+      .renderer = "SwiftShader",
       .package = "chromium"};
   KnownDriver standard = opengl_driver("default", {});
   standard.renderer.clear();

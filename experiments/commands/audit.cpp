@@ -57,9 +57,13 @@ WorkloadOptions workload_of(const AuditOptions& options) {
 
 Audit audit_of(const DriverSource& source, DriverPool& drivers, const AuditOptions& options) {
   std::vector<DrawCall> calls;
-  const LeftOut left_out = for_each_draw_call(workload_of(options), drivers.info(),
+  const WorkloadOptions workload = workload_of(options);
+  const LeftOut left_out = for_each_draw_call(workload, drivers.info(),
                                               [&](const DrawCall& call) { calls.push_back(call); });
-  Audit audit = audit_driver(source.name, drivers, calls, options.limits);
+  AuditLimits limits = options.limits;
+  limits.hunted = workload.random;
+  limits.seed = workload.seed;
+  Audit audit = audit_driver(source.name, drivers, calls, limits);
   for (const auto& [reason, count] : left_out) audit.unable[reason] += count;
   return audit;
 }
@@ -151,7 +155,8 @@ void add_workload_options(CLI::App& command, AuditOptions& options) {
       command, "--lattice", options.lattice, "N",
       fmt::format("Draw calls with coordinates that are small numbers [{}]", workload.lattice));
   add_option(command, "--random", options.random, "N",
-             fmt::format("Draw calls with any numbers [{}]", workload.random));
+             fmt::format("Draw calls with any numbers, and as many in a hunt for worse [{}]",
+                         workload.random));
   command.add_flag("!--without-catalogue", workload.catalogue, "Leave the hard cases out");
   command.add_flag("!--without-scenes", workload.scenes, "Leave the scenes out");
   command.add_option("--seed", workload.seed, "Seed of what is drawn by chance [1]");

@@ -57,12 +57,18 @@ void draw_findings(const ExperimentContext& context, const DriverSource& source,
   }
 }
 
+AuditLimits limits_of(const Selection& selection) {
+  return {.shrinks = !selection.quick,
+          .hunted = selection.quick ? 0 : WorkloadOptions().random,
+          .seed = selection.seed};
+}
+
 void audit_one(const ExperimentContext& context, const DriverSource& source, Tables& tables,
                PieceRecord& record) {
   const Selection& selection = context.selection();
   DriverPool drivers(source.make);
   const Audit audit = audit_driver(source.name, drivers, draw_calls(selection, drivers.info()),
-                                   {.shrinks = !selection.quick});
+                                   limits_of(selection));
   tables.drivers.add(driver_row(audit));
   for (const DriverClassRow& row : class_rows(audit)) tables.classes.add(row);
   for (const QuantityRow& row : quantity_rows(audit)) tables.quantities.add({audit.driver, row});

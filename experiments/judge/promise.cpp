@@ -125,7 +125,7 @@ PromiseSetting PromiseChecker::setting(const Promise& promise,
 // tolerance leaves something to promise.
 bool PromiseChecker::is_spoken_of(const Promise& promise, const PromiseSetting& s,
                                   const PolygonView& polygon) const {
-  if (!range_.fits(polygon.format()) || has_overflowed_inv_w(polygon)) return false;
+  if (!range_.fits(polygon.format(), s.magnitude) || has_overflowed_inv_w(polygon)) return false;
   double intermediate = 0;
   for (const InputVertex& v : s.vertices) {
     intermediate = std::max(intermediate, largest_intermediate(v));

@@ -78,6 +78,7 @@ FrustumRange::FrustumRange(const Frustum<double>& f) {
     }
   }
   const bool perspective = f.kind == ProjectionKind::perspective;
+  if (perspective) narrowest = std::min(f.right - f.left, f.top - f.bottom);
   largest_sum =
       std::max({std::abs(f.left) + std::abs(f.right), std::abs(f.bottom) + std::abs(f.top),
                 2 * std::abs(f.near), f.infinite_far ? 0 : std::abs(f.far) + std::abs(f.near)});
@@ -88,10 +89,12 @@ FrustumRange::FrustumRange(const Frustum<double>& f) {
           : std::max(std::abs(f.shear_x), std::abs(f.shear_y));
 }
 
-bool FrustumRange::fits(const Format& format) const {
+bool FrustumRange::fits(const Format& format, double magnitude) const {
   if (format.is_exact()) return true;
   const double largest = format.largest();
-  return smallest_entry >= std::ldexp(1.0, format.min_exponent) && largest_entry <= largest &&
+  const double normal = std::ldexp(1.0, format.min_exponent);
+  if (narrowest * magnitude < kHeadroom * normal) return false;
+  return smallest_entry >= normal && largest_entry <= largest &&
          largest_sum < largest + format.ulp_at(largest) / 2 &&
          kHeadroom * steepest * steepest <= largest;
 }

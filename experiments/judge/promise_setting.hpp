@@ -47,11 +47,14 @@ struct FrustumRange {
   double smallest_entry = 1, largest_entry = 1;  // of the projection matrix, but for zeros
   double largest_sum = 1;                        // of two of the frustum's bounds
   double steepest = 0;                           // slope of a side
+  // Between two sides on the near plane; planes in view space have products of that order.
+  double narrowest = std::numeric_limits<double>::infinity();
 
   FrustumRange() = default;  // of what is clipped without a frustum: everything stays
   explicit FrustumRange(const Frustum<double>& frustum);
 
-  bool fits(const Format& format) const;
+  // magnitude: M of the primitive.
+  bool fits(const Format& format, double magnitude) const;
 };
 
 Corners corners_of(const reference::Truth& truth, std::span<const reference::InputVertex> vertices);

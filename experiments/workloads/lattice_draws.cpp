@@ -195,12 +195,6 @@ void make_other_provoking(DrawCall& call) {
   if (call.vertices.size() == 3) call.indices.insert(call.indices.begin(), 2);
 }
 
-void set_large_viewport(DrawCall& call, const DriverInfo& info, Random& random) {
-  const int large = std::min(kLargeViewport, info.max_size);
-  const int offset = std::array{0, (call.width - large) / 2, call.width - large}[random.below(3)];
-  call.viewport = {offset, offset, large, large};
-}
-
 // gl_PrimitiveID says something where there are two.
 void set_one_quantity(DrawCall& call, const LatticeStratum& s, Random& random) {
   constexpr std::array kOnes = {

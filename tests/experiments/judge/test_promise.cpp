@@ -227,27 +227,36 @@ PromiseVerdict verdict_in(const Frustum<float>& frustum, const SceneTriangle& tr
 }  // namespace
 
 TEST_CASE(
-    "promise: it speaks of the smallest frusta whose matrix has normal numbers, and is kept") {
-  SceneTriangle triangle = straddling();
-  for (auto& v : triangle) {
-    for (int i = 0; i < 3; ++i) v.position[i] *= 0x1p-125f;
-  }
-  const Frustum<float> smallest{.left = -0x1p-125f,
-                                .right = 0x1p-125f,
-                                .bottom = -0x1p-125f,
-                                .top = 0x1p-125f,
-                                .near = 0x1.02791p-125f,
-                                .far = 0x1.04p-123f,
-                                .depth = DepthRange::reversed};
-  CHECK(verdict_in(smallest, triangle) == PromiseVerdict::kept);
-  Frustum<float> wide = smallest;
-  wide.right = 0x1p+4f;  // 2 near / (right - left) is no normal number
+    "promise: it speaks of small frusta as long as what they need are normal numbers, and is kept") {
+  SceneTriangle triangle{};
+  triangle[0].position = {0, 0, -0x1p-75f};
+  triangle[1].position = {0x1.8p-19f, 0, -0x1p-75f};
+  triangle[2].position = {0, 0x1p-21f, -0x1p-75f};
+  const Frustum<float> small{.left = -0x1p-21f,  // near far is no normal number
+                             .right = 0x1p-21f,
+                             .bottom = -0x1p-21f,
+                             .top = 0x1p-21f,
+                             .near = 0x1p-76f,
+                             .far = 0x1.8p-74f,
+                             .depth = DepthRange::reversed};
+  CHECK(verdict_in(small, triangle) == PromiseVerdict::kept);
+  Frustum<float> wide = small;
+  wide.right = 0x1p+60f;  // 2 near / (right - left) is none
   CHECK(verdict_in(wide, triangle) == PromiseVerdict::outside_domain);
-  wide.right = 0x1p-50f;  // the square of right / near is none at all
+  wide.right = 0x1p-10f;  // the square of right / near is beyond all floats
   CHECK(verdict_in(wide, triangle) == PromiseVerdict::outside_domain);
-  Frustum<float> nearer = smallest;
+  Frustum<float> nearer = small;
   nearer.near = 0x1p-130f;
   CHECK(verdict_in(nearer, triangle) == PromiseVerdict::outside_domain);
+  // A side's number times a coordinate is none, on which planes in view space depend.
+  SceneTriangle tiny = straddling();
+  for (auto& v : tiny) {
+    for (int i = 0; i < 3; ++i) v.position[i] *= 0x1p-120f;
+  }
+  const float side = 0x1p-120f;
+  const Frustum<float> narrow{
+      .left = -side, .right = side, .bottom = -side, .top = side, .near = side, .far = 8 * side};
+  CHECK(verdict_in(narrow, tiny) == PromiseVerdict::outside_domain);
 }
 
 TEST_CASE("promise: it speaks of frusta up to the largest floats, but not of sums beyond them") {

@@ -137,6 +137,12 @@ Sentence sentence_of(Shape shape, ViolationKind kind, Quantity quantity) {
 
 Clause clause_of(GraphicsApi api, Topology topology, ViolationKind kind, Quantity quantity) {
   const Sentence sentence = sentence_of(shape_of(topology), kind, quantity);
+  if (api == GraphicsApi::webgl && quantity == Quantity::noperspective) {
+    // Which OpenGL ES has by this extension alone; its sections are those of OpenGL ES 3.1.
+    const bool is_line = shape_of(topology) == Shape::line;
+    return {"NV_shader_noperspective_interpolation", is_line ? "13.4.1" : "13.5.1",
+            sentence.meaning};
+  }
   const auto document = static_cast<std::size_t>(api);
   return {kDocuments[document], sentence.sections[document], sentence.meaning};
 }

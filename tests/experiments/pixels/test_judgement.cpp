@@ -70,6 +70,16 @@ TEST_CASE("judgement: a line that OpenGL ES divides by 0 accuses nobody, one in 
   CHECK(!judged_as(GraphicsApi::webgl).violations.empty());
 }
 
+TEST_CASE("clause: what OpenGL ES has by an extension alone is that one's", "[pixels]") {
+  const auto document = [](GraphicsApi api, Quantity quantity) {
+    return clause_of(api, Topology::triangles, ViolationKind::not_finite, quantity).document;
+  };
+  CHECK(document(GraphicsApi::webgl, Quantity::noperspective) ==
+        "NV_shader_noperspective_interpolation");
+  CHECK(document(GraphicsApi::webgl, Quantity::smooth) == "OpenGL ES 3.2");
+  CHECK(document(GraphicsApi::opengl, Quantity::noperspective) == "OpenGL 4.6 core");
+}
+
 TEST_CASE("judgement: one wrong number is found at its pixel and channel", "[pixels]") {
   struct Change {
     Quantity quantity;

@@ -119,21 +119,22 @@ Sides widest_sides(const DrawCall& call, const DriverInfo& info) {
 // The hits on a line that is alone, and what the rules ask of them.
 class FragmentCount {
  public:
-  FragmentCount(const DrawCall& call, const WindowLine& line, const Pixels& pixels, double margin)
-      : call_(call), line_(line), pixels_(pixels), margin_(margin) {
+  FragmentCount(const DrawCall& call, const WindowLine& line, const Pixels& pixels, double margin,
+                bool is_polygon)
+      : call_(call), line_(line), pixels_(pixels), margin_(margin), is_polygon_(is_polygon) {
     const double dx = std::abs(line.b[0] - line.a[0]), dy = std::abs(line.b[1] - line.a[1]);
     major_ = dx >= dy ? 0 : 1;
     is_major_certain_ = std::abs(dx - dy) > 4 * margin;
   }
 
-  void accuse(bool may_double, Accusations& accusations) {
+  void accuse(Accusations& accusations) {
     const int size = major_ == 0 ? call_.width : call_.height;
     int least = 0, hits = 0;
     std::optional<WorstPixel> lacking;
     for (int k = 0; k < size; ++k) {
       const std::vector<WorstPixel> in_column = hits_in_column(k);
       hits += static_cast<int>(in_column.size());
-      if (in_column.size() > 1 && is_major_certain_ && !may_double) {
+      if (in_column.size() > 1 && is_major_certain_ && !is_polygon_) {
         WorstPixel second = in_column[1];
         second.channel = major_;
         second.exact = 1;
@@ -174,6 +175,8 @@ class FragmentCount {
     const double low = major_ == 0 ? box.bottom : box.left,
                  high = major_ == 0 ? box.top : box.right;
     const double across = minor_at(k);
+    const double to_centre = std::abs(across - std::floor(across) - 0.5);
+    if (is_polygon_ && to_centre > 0.5 - 2 * margin_) return false;
     const bool is_in_box =
         major_ == 0 ? k >= box.left && k < box.right : k >= box.bottom && k < box.top;
     return is_in_box && across >= low + kReach && across <= high - kReach;
@@ -199,6 +202,7 @@ class FragmentCount {
   const WindowLine& line_;
   const Pixels& pixels_;
   double margin_;
+  bool is_polygon_;  // has corners of its own, which are snapped
   std::size_t major_ = 0;
   bool is_major_certain_ = false;
 };
@@ -251,8 +255,9 @@ void judge_lines(const DrawCall& call, const std::vector<JudgedPrimitive>& primi
   if (primitives.size() != 1 || primitives[0].vertices.size() != 2) return;
   const WindowLine line = window_line(call, primitives[0].vertices, call.volume, {});
   if (line.is_empty || line.is_uncertain) return;
-  FragmentCount(call, line, pixels, snap_px(info) + line.rounding_px)
-      .accuse(info.strict_lines, accusations);
+  const bool is_polygon = info.api == GraphicsApi::vulkan;
+  FragmentCount(call, line, pixels, snap_px(info) + line.rounding_px, is_polygon)
+      .accuse(accusations);
 }
 
 }  // namespace clipscope::experiments

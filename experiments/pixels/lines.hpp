@@ -10,10 +10,11 @@
 //     px the rule that lets fragments deviate (extra);
 //   - have at most one fragment fewer than the ideal one in the part of the view volume (missing,
 //     or primitive_lost if there is none);
-//   - have no two fragments in one column if it is x-major, or one row if it is y-major (extra);
-//     strict lines of Vulkan are rectangles, and may.
+//   - have no two fragments in one column if it is x-major, or one row if it is y-major (extra).
 //
-// The last two of lines that are alone in their draw call. Values may be those at any point within
+// The last two are asked of lines that are alone in their draw call. Vulkan's lines are polygons a
+// px wide whose corners are snapped each on its own, so that a column may have two fragments, and
+// must have one only where a centre is that much inside. Values may be those at any point within
 // 3/2 px, or between those of the ends of the clipped line where it is clipped.
 //
 // OpenGL clips lines to the view volume; OpenGL ES to near and far, so that there fragments beside

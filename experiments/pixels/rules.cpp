@@ -10,16 +10,18 @@
 namespace clipscope::experiments {
 namespace {
 
-// The vertices of the exact clipped polygon: what is linear in clip space, divided by w, and the
-// same with all terms positive. One of each for every rule.
+// The vertices of the clipped polygon: what is linear in clip space, divided by w.
 struct PolygonValues {
   bool is_known = false;
-  std::vector<double> quotients, sizes;  // vertex by vertex
+  std::vector<double> quotients;
+  std::vector<double> sizes;  // the same with all terms positive, and how w multiplies its error
+  // How far a cut that is found up to some t (cuts.hpp) may take a quotient along its edge.
+  double slide = 0;
 };
 
-// Attributes: the clip distances, then n and |n|.
-PolygonValues polygon_values(const DrawCall& call, std::span<const std::uint32_t> vertices,
-                             const std::array<double, 3>& n) {
+// Of the exact polygon. Attributes: the clip distances, then n, |n| and |w|.
+reference::ExactPolygon clipped(const DrawCall& call, std::span<const std::uint32_t> vertices,
+                                const std::array<double, 3>& n) {
   std::vector<reference::InputVertex> input;
   const auto distances = static_cast<std::size_t>(call.volume.clip_distances);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -29,17 +31,41 @@ PolygonValues polygon_values(const DrawCall& call, std::span<const std::uint32_t
     std::copy_n(v.clip_distances.begin(), distances, r.attributes.begin());
     r.attributes[distances] = n[i];
     r.attributes[distances + 1] = std::abs(n[i]);
+    r.attributes[distances + 2] = std::abs(v.position[3]);
     input.push_back(r);
   }
-  const auto truth = reference::Truth::of_clip(call.volume);
-  const auto polygon = reference::clip(truth, input, static_cast<int>(distances) + 2);
+  return reference::clip(reference::Truth::of_clip(call.volume), input,
+                         static_cast<int>(distances) + 3);
+}
+
+// How far the values of vertices are apart.
+double spread(std::span<const double> values) {
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  return *greatest - *least;
+}
+
+PolygonValues polygon_values(const DrawCall& call, std::span<const std::uint32_t> vertices,
+                             const std::array<double, 3>& n) {
   PolygonValues r;
+  const reference::ExactPolygon polygon = clipped(call, vertices, n);
   // With depth clamp a vertex may be at infinity, and is left out there.
   r.is_known = polygon.vertices.size() >= 2 && !call.volume.depth_clamp;
+  std::array<double, 3> w = {};
+  for (std::size_t i = 0; i < vertices.size(); ++i) w[i] = call.vertices[vertices[i]].position[3];
+  const double moved_n = kEpsilon * kClip * spread(std::span(n).first(vertices.size()));
+  const double moved_w = kEpsilon * kClip * spread(std::span(w).first(vertices.size()));
+  const auto first = static_cast<std::size_t>(call.volume.clip_distances);
   for (const auto& vertex : polygon.vertices) {
     const double inv_w = reference::approximate(vertex.inv_w);
-    r.quotients.push_back(reference::approximate(vertex.attributes[distances]) * inv_w);
-    r.sizes.push_back(reference::approximate(vertex.attributes[distances + 1]) * inv_w);
+    const auto over_w = [&](std::size_t k) {
+      return reference::approximate(vertex.attributes[first + k]) * inv_w;
+    };
+    r.quotients.push_back(over_w(0));
+    r.sizes.push_back(over_w(1) * (1 + over_w(2)));
+    // |(N + dN) / (w + dw) - N / w| <= (|dN| + |N / w| |dw|) / (w - |dw|).
+    const double w_left = 1 / inv_w - moved_w;
+    if (w_left <= 0) r.is_known = false;
+    r.slide = std::max(r.slide, (moved_n + std::abs(over_w(0)) * moved_w) / w_left);
   }
   return r;
 }
@@ -160,6 +186,7 @@ class RuleMaker {
     rule.size = size;
     rule.slack = kEpsilon * (kInterpolation + kTransform + kClip) * size;
     if (!values.is_known) return;
+    rule.slack += of.scale * values.slide;
     rule.least = least;
     rule.greatest = greatest;
   }

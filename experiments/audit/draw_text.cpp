@@ -67,11 +67,16 @@ std::string section_text(const Clause& clause) {
   return fmt::format("{}, section {}", clause.document, clause.section);
 }
 
+std::string api_text(const DriverInfo& info) {
+  const std::string_view name = name_of(info.api);
+  if (info.api_version.starts_with(name)) return info.api_version;
+  return fmt::format("{} {}", name, info.api_version);
+}
+
 std::string driver_text(const DriverInfo& info) {
   std::string text = info.renderer;
   if (!info.version.empty()) text += ", " + info.version;
-  return text + fmt::format(", {} {}, {} sub-pixel bits", name_of(info.api), info.api_version,
-                            info.subpixel_bits);
+  return text + fmt::format(", {}, {} sub-pixel bits", api_text(info), info.subpixel_bits);
 }
 
 std::string finding_text(const FindingKey& key) {

@@ -31,7 +31,7 @@ std::string runner_of(const std::string& file) {
   return fmt::format("open [{}]({}) in a browser (WebGL 2)", file, file);
 }
 
-// As Markdown: each vertex with its varying, in decimal and, what was drawn to the bit, hexadecimal.
+// As Markdown: each vertex with its varying, in decimal and, to the bit, hexadecimal.
 std::string vertex_table(const DrawCall& call) {
   std::string text =
       "| vertex | x | y | z | w | varying | hexadecimal |\n|---|---|---|---|---|---|---|\n";

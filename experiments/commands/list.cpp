@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "experiments/audit/draw_text.hpp"
 #include "experiments/backends/known_drivers.hpp"
 #include "experiments/catalogue/hard_case.hpp"
 #include "experiments/commands/guest_options.hpp"
@@ -121,8 +122,8 @@ Table drivers_table() {
                {"missing", "not here"}});
   for (const auto& [driver, info, reason] : drivers_here()) {
     if (info) {
-      table.add_row({driver.name, fmt::format("{} {}", name_of(info->api), info->api_version),
-                     info->renderer, info->version, std::to_string(info->subpixel_bits), Cell()});
+      table.add_row({driver.name, api_text(*info), info->renderer, info->version,
+                     std::to_string(info->subpixel_bits), Cell()});
     } else {
       table.add_row({driver.name, Cell(), Cell(), Cell(), Cell(), reason});
     }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/drivers/rows.hpp"
 
-#include <fmt/format.h>
-
 #include <map>
 #include <numeric>
+
+#include "experiments/audit/draw_text.hpp"
 
 namespace clipscope::experiments::drivers {
 namespace {
@@ -19,7 +19,7 @@ std::size_t sum_of(const Counts& counts) {
 DriverRow driver_row(const Audit& audit) {
   const DriverInfo& info = audit.info;
   return {.driver = audit.driver,
-          .api = fmt::format("{} {}", name_of(info.api), info.api_version),
+          .api = api_text(info),
           .version = info.version,
           .renderer = info.renderer,
           .subpixel_bits = info.subpixel_bits,

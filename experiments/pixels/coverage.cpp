@@ -109,11 +109,11 @@ void count(const PixelClaim& claim, int hits, Judgement& judgement) {
 
 void Accusations::add(std::size_t primitive, Quantity quantity, ViolationKind kind,
                       const WorstPixel& pixel, double size) {
-  Violation& violation = found_
-                             .try_emplace({primitive, quantity, kind},
-                                          Violation{primitive, quantity, kind, 0, pixel, -1})
-                             .first->second;
-  ++violation.pixels;
+  const Found first{Violation{primitive, quantity, kind, 0, pixel, -1}};
+  auto& [violation, x, y] = found_.try_emplace({primitive, quantity, kind}, first).first->second;
+  if (x != pixel.x || y != pixel.y) ++violation.pixels;
+  x = pixel.x;
+  y = pixel.y;
   if (size <= violation.size) return;
   violation.size = size;
   violation.worst = pixel;
@@ -121,7 +121,7 @@ void Accusations::add(std::size_t primitive, Quantity quantity, ViolationKind ki
 
 std::vector<Violation> Accusations::violations() const {
   std::vector<Violation> r;
-  for (const auto& [key, violation] : found_) r.push_back(violation);
+  for (const auto& [key, found] : found_) r.push_back(found.violation);
   return r;
 }
 

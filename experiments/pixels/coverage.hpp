@@ -35,7 +35,11 @@ class Accusations {
   std::vector<Violation> violations() const;
 
  private:
-  std::map<std::tuple<std::size_t, Quantity, ViolationKind>, Violation> found_;
+  struct Found {
+    Violation violation;
+    int x = -1, y = -1;  // counted last: a pixel with several channels is one
+  };
+  std::map<std::tuple<std::size_t, Quantity, ViolationKind>, Found> found_;
 };
 
 // What all primitives together ask of one pixel.

@@ -36,6 +36,11 @@ Shape shape_of(Topology topology) {
 constexpr Sentence kPointCoverage = {
     {"14.4.1", "Basic Point Rasterization", "13.5.1"},
     "A point has a fragment for each pixel whose centre lies inside of the square around it."};
+constexpr Sentence kPointClipping = {
+    {"13.7 and 14.4.1",
+     "Primitive Clipping (VkPointClippingBehavior) and Basic Point Rasterization",
+     "12.5 and 13.5.1"},
+    "A point outside of the clip volume is discarded, and another one stays in its square."};
 constexpr Sentence kPointValues = {{"14.4.1", "Basic Point Rasterization", "13.5.1"},
                                    "All fragments of a point have the values of its vertex."};
 constexpr Sentence kLineCoverage = {
@@ -110,8 +115,8 @@ Sentence hull_sentence(Shape shape, Quantity quantity) {
 
 // A pixel that is hit twice, or one where nothing is to be seen.
 Sentence extra_sentence(Shape shape, Quantity quantity) {
-  const bool is_clipping = shape != Shape::point && quantity == Quantity::covered;
-  return is_clipping ? kClipping : coverage_sentence(shape);
+  if (quantity != Quantity::covered) return coverage_sentence(shape);
+  return shape == Shape::point ? kPointClipping : kClipping;
 }
 
 Sentence sentence_of(Shape shape, ViolationKind kind, Quantity quantity) {

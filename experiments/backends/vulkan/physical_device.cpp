@@ -94,7 +94,8 @@ void ask_features_of_extensions(PhysicalDevice& device, const std::vector<std::s
   vkGetPhysicalDeviceFeatures2(device.handle, &features);
   device.depth_clip_control = depth.depthClipControl;
   device.provoking_last = provoking.provokingVertexLast;
-  device.rectangular_lines = lines.rectangularLines;
+  // Who is strict draws rectangles by default.
+  device.rectangular_lines = lines.rectangularLines && !device.limits.strictLines;
 }
 
 // What the driver says of itself, and whether it clips points at the sides.

@@ -31,7 +31,8 @@ struct PhysicalDevice {
   std::uint32_t queue_family = 0;  // one that draws
   VkPhysicalDeviceLimits limits = {};
   VkPhysicalDeviceFeatures features = {};  // those that we use and that are there
-  // Those of extensions: from -1 to 1, the last vertex, and lines that are rectangles.
+  // Those of extensions: from -1 to 1, the last vertex, and, where they need to be asked for, lines
+  // that are rectangles.
   bool depth_clip_control = false, provoking_last = false, rectangular_lines = false;
   DriverInfo info = {};
 };

@@ -168,6 +168,9 @@ TEST_CASE("clauses: each kind of violation has a sentence in each document", "[p
                                 Quantity::hits);
   CHECK(edge.document == "OpenGL ES 3.2");
   CHECK(edge.section == "13.7.1");
+  const Clause point =
+      clause_of(GraphicsApi::vulkan, Topology::points, ViolationKind::extra, Quantity::covered);
+  CHECK(point.section.starts_with("Primitive Clipping"));
 }
 
 }  // namespace

@@ -77,8 +77,10 @@ constexpr Sentence kDepth = {
      "13.7.1"},
     "A depth lies between those of the polygon's vertices, clamped where depth clamp is on."};
 constexpr Sentence kFacing = {
-    {"14.6.1", "Basic Polygon Rasterization", "13.7.1"},
-    "A polygon faces by the sign of its area in the window; points and lines face front."};
+    {"14.6.1 and 15.2.2", "Basic Polygon Rasterization", "13.7.1 and 14.2.2"},
+    "A polygon faces by the sign of its area in the window."};
+constexpr Sentence kFrontFacing = {{"15.2.2", "Built-In Variables, FrontFacing", "14.2.2"},
+                                   "Fragments that come from no triangle are front-facing."};
 constexpr Sentence kPrimitiveId = {
     {"15.2.2", "Built-In Variables, PrimitiveId", "14.2.2"},
     "The first primitive of a draw is number 0, and each one counts."};
@@ -130,7 +132,7 @@ Sentence sentence_of(Shape shape, ViolationKind kind, Quantity quantity) {
     case ViolationKind::zero_area: return coverage_sentence(shape);
     case ViolationKind::shared_edge: return kSharedEdge;
     case ViolationKind::flat_value: return kFlat;
-    case ViolationKind::facing: return kFacing;
+    case ViolationKind::facing: return shape == Shape::polygon ? kFacing : kFrontFacing;
     case ViolationKind::primitive_id: return kPrimitiveId;
     case ViolationKind::crashed:
     case ViolationKind::timed_out: return kCrash;

@@ -137,8 +137,7 @@ class FragmentCount {
       if (in_column.empty() && !lacking) lacking = pixel_at(k);
     }
     if (hits >= least - 1 || !lacking) return;
-    const auto kind =
-        hits == 0 && least >= 3 ? ViolationKind::primitive_lost : ViolationKind::missing;
+    const auto kind = hits == 0 ? ViolationKind::primitive_lost : ViolationKind::missing;
     for (int i = hits; i < least - 1; ++i) {
       accusations.add(0, Quantity::covered, kind, *lacking, static_cast<double>(least - 1 - hits));
     }

@@ -149,8 +149,7 @@ class FragmentCount {
     if (hits >= least - 1 || !lacking) return;
     lacking->exact = least - 1;
     lacking->returned = static_cast<float>(hits);
-    const auto kind =
-        hits == 0 && least >= 3 ? ViolationKind::primitive_lost : ViolationKind::missing;
+    const auto kind = hits == 0 ? ViolationKind::primitive_lost : ViolationKind::missing;
     for (int i = hits; i < least - 1; ++i) {
       accusations.add(0, Quantity::covered, kind, *lacking, static_cast<double>(least - 1 - hits));
     }

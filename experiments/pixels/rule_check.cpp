@@ -72,7 +72,7 @@ CheckedValue check(const ValueRule& rule, const PixelPlace& place, float returne
   }
   const double value = returned;
   const Range near = with_clamping(range_around(rule.interpolant, place), rule.clamping);
-  measure(checked, std::max(exact.size, rule.size));
+  measure(checked, rule.size);
   if (std::abs(value - checked.exact) <= rule.slack) return checked;
   if (near.distance(value) <= rule.slack) return checked;
   const double beyond_hull =

@@ -34,7 +34,7 @@ inline double ulps_at_centre(const ValueRule& rule, const Enclosed& exact, float
   const double error = std::abs(returned - exact.value);
   const bool may_clamp = rule.clamping != Clamping::never && (exact.value < 0 || exact.value > 1);
   const bool is_legal = error <= rule.slack && exact.size <= kGreatest && !may_clamp;
-  return is_legal ? error / float_ulp(std::max(exact.size, 0x1p-23 * rule.size)) : -1;
+  return is_legal ? error / float_ulp(rule.size) : -1;
 }
 
 CheckedValue check(const ValueRule& rule, const PixelPlace& place, float returned);

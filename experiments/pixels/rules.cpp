@@ -183,7 +183,7 @@ class RuleMaker {
       greatest = std::max(greatest, value);
       size = std::max(size, std::abs(of.offset) + of.scale * values.sizes[i]);
     }
-    rule.size = size;
+    if (least <= greatest) rule.size = std::max({rule.size, magnitude(least), magnitude(greatest)});
     rule.slack = kEpsilon * (kInterpolation + kTransform + kClip) * size;
     if (!values.is_known) return;
     rule.slack += of.scale * values.slide;

@@ -36,6 +36,18 @@ std::vector<std::string> drivers_with(const std::vector<DriverFindingRow>& findi
   return names;
 }
 
+// Pre-condition: at least one violates.
+std::string violating_text(const std::vector<DriverRow>& drivers, std::ptrdiff_t violating) {
+  const std::ptrdiff_t all = std::ranges::ssize(drivers);
+  if (all == 1) {
+    return fmt::format("The only driver here, {}, violates its specification.",
+                       drivers.front().driver);
+  }
+  if (violating == all) return "All drivers violate their specification somewhere.";
+  return fmt::format("Of {} drivers {} {} specification somewhere.", number_word(all),
+                     number_word(violating), violating == 1 ? "violates its" : "violate their");
+}
+
 }  // namespace
 
 const DriverFindingRow* gravest(const std::vector<DriverFindingRow>& findings) {
@@ -52,12 +64,8 @@ std::string finding(const std::vector<DriverRow>& drivers,
   if (drivers.empty()) return "No driver was there to be asked.";
   const auto violating =
       std::ranges::count_if(drivers, [](const DriverRow& row) { return row.findings > 0; });
-  const auto all = std::ranges::ssize(drivers);
   if (violating == 0) return "No driver violates its specification on what was drawn.";
-  std::string text = all == 1 ? fmt::format("The only driver here, {}, violates its specification.",
-                                            drivers.front().driver)
-                              : fmt::format("{} violate their specification somewhere.",
-                                            capitalised(some_of(violating, all, "drivers")));
+  const std::string text = violating_text(drivers, violating);
   std::vector<std::string> faults;
   for (const auto& [kind, what] : kFaults) {
     const std::vector<std::string> names = drivers_with(findings, kind);

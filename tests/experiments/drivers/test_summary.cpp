@@ -34,7 +34,7 @@ TEST_CASE("drivers: the finding turns round when the last violation goes", "[dri
         "No driver violates its specification on what was drawn.");
   CHECK(checked(finding({driver("a", 0), driver("b", 1)},
                         {violation("b", ViolationKind::shared_edge)})) ==
-        "1 of 2 drivers violate their specification somewhere.");
+        "Of two drivers one violates its specification somewhere.");
   CHECK(checked(finding({driver("b", 1)}, {violation("b", ViolationKind::facing)})) ==
         "The only driver here, b, violates its specification.");
 }

@@ -19,6 +19,7 @@ packages=(
   libcairo2-dev                               # vector graphics
   openimageio-tools libopencv-core-dev        # OpenImageIO's CMake package names files of these
   libwebp-dev                                 # pictures within a page
+  libepoxy-dev libegl1 libgl1-mesa-dri        # OpenGL without a window, and drivers in software
   libboost-dev                                # search trees
   libcli11-dev nlohmann-json3-dev libfmt-dev  # command line, output
   libtbb-dev                                  # threads

@@ -36,15 +36,21 @@ inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 // What a clipper promises for finite input. The error bound is a backward error: the polygon is
 // what exact clipping would give had each clip-space coordinate been moved by at most
 //
-//     ulps * u * M * amplification
+//     ulps * (u * M + eta) * amplification
 //
-// where u is the scalar's unit roundoff, M the largest sum of magnitudes of the terms that make up
-// a clip-space coordinate of the triangle's vertices, and amplification is 1 or, for methods that
-// cut after the divide, w_max / w_min over the triangle (after its near cut where there is one).
-// Exact scalars have u = 0: there the promise is the exact answer. It speaks of triangles whose
-// visible part keeps w above that error (all that a near plane lets through) and of numbers that do
-// not overflow. `clipscope verify` checks a promise on every triangle, and the tests try to break
-// it.
+// where u is the scalar's unit roundoff, eta its smallest positive number (an operation that
+// underflows is off by half of it), M the largest sum of magnitudes of the terms that make up a
+// clip-space coordinate of the triangle's vertices, and amplification is 1 or, for methods that cut
+// after the divide, w_max / w_min over the triangle (after its near cut where there is one). For
+// attributes M is the largest of their own magnitudes; methods that cut after the divide
+// interpolate a / w, so that eta counts w_max times there where that is more than 1.
+// Exact scalars have u = eta = 0: there the promise is the exact answer.
+//
+// It speaks of triangles whose visible part keeps w above that error (all that a near plane lets
+// through), of numbers that do not overflow, and of frusta of which the entries of the matrix are 0
+// or normal numbers, the squares of the sides' slopes do not overflow, and the distance between two
+// sides on the near plane times M is a normal number. `clipscope verify` checks a promise on every
+// triangle, and the tests try to break it.
 struct Promise {
   // Which finite triangles the error bound speaks of.
   enum class Domain {
@@ -58,7 +64,7 @@ struct Promise {
   Domain domain = Domain::any;
   bool covers = true;      // no visible part is lost
   bool contained = true;   // nothing outside the volume is drawn
-  bool attributes = true;  // attributes share the bound, relative to their own largest magnitude
+  bool attributes = true;  // attributes share the bound
   double ulps = 0;
   Amplification amplification = Amplification::none;
 

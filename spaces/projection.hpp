@@ -7,7 +7,8 @@
 // 1], reversed [1, 0]; each also with the far plane at infinity.
 //
 // Matrices: OpenGL 1.5 specification, section 2.11.2 (glFrustum, glOrtho), and the same with the
-// depth row changed; far -> infinity: Lengyel, "Projection Matrix Tricks", GDC 2007.
+// depth row changed; far near / (far - near) as near (far / (far - near)): DirectXMath,
+// XMMatrixPerspectiveOffCenterRH; far -> infinity: Lengyel, "Projection Matrix Tricks", GDC 2007.
 #pragma once
 
 #include <array>
@@ -100,19 +101,21 @@ struct Projection {
       return;
     }
     const T length = f.far - f.near;
-    const T product = f.far * f.near;
+    // far near / length is computed as near (far / length), as DirectXMath does: that overflows or
+    // underflows where the entry itself does, while far near may do so long before.
+    const T reach = f.far / length;
     switch (f.depth) {
       case DepthRange::minus_one_to_one:
         z.z = -(f.far + f.near) / length;
-        z.one = -(product + product) / length;
+        z.one = -(two_near * reach);
         break;
       case DepthRange::zero_to_one:
-        z.z = -f.far / length;
-        z.one = -product / length;
+        z.z = -reach;
+        z.one = -(f.near * reach);
         break;
       case DepthRange::reversed:
         z.z = f.near / length;
-        z.one = product / length;
+        z.one = f.near * reach;
         break;
     }
   }

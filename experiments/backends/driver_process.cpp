@@ -34,6 +34,7 @@ bool is_answer_to(const DrawCall& call, const Pixels& pixels) {
 
 DriverProcess::DriverProcess(const KnownDriver& driver, double seconds_per_draw)
     : driver_(driver), seconds_per_draw_(seconds_per_draw) {
+  keep_memory_of_pixels();
   start();
 }
 

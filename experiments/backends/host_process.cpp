@@ -53,14 +53,6 @@ int milliseconds(std::chrono::steady_clock::duration left) {
 
 bool is_for_later() { return errno == EINTR || errno == EAGAIN || errno == EWOULDBLOCK; }
 
-// The size that a frame says it has; nothing before that is there, too.
-std::optional<std::size_t> size_of(std::string_view frame) {
-  std::uint32_t size = 0;
-  if (frame.size() < sizeof size) return std::nullopt;
-  std::memcpy(&size, frame.data(), sizeof size);
-  return size + sizeof size;
-}
-
 // How a process ended that waitpid tells of.
 std::string end_text(int status) {
   if (WIFSIGNALED(status)) return "was ended by " + signal_text(WTERMSIG(status));
@@ -94,16 +86,25 @@ bool HostProcess::send_some(std::string_view& rest) {
   return sent >= 0 || is_for_later();
 }
 
+// False at the end.
+bool HostProcess::receive(char* to, std::size_t size, std::size_t& got) {
+  const ssize_t now = recv(socket_.number(), to + got, size - got, MSG_DONTWAIT);
+  if (now <= 0) return now < 0 && is_for_later();
+  got += static_cast<std::size_t>(now);
+  return true;
+}
+
 // False at the end, and where it is no frame.
-bool HostProcess::receive_some(std::string& frame) {
-  constexpr std::size_t kBlock = 1 << 18;
-  const std::size_t had = frame.size();
-  const std::size_t wanted = size_of(frame).value_or(sizeof(std::uint32_t)) - had;
-  frame.resize(had + std::min(wanted, kBlock));
-  const ssize_t got = recv(socket_.number(), frame.data() + had, frame.size() - had, MSG_DONTWAIT);
-  const bool is_well = got > 0 || (got < 0 && is_for_later());
-  frame.resize(had + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-  return is_well && size_of(frame).value_or(0) <= sizeof(std::uint32_t) + kMostFrameBytes;
+bool HostProcess::receive_some(Frame& frame) {
+  constexpr std::size_t kSize = sizeof frame.size;
+  if (frame.size_got == kSize) {
+    return receive(frame.bytes.data(), frame.bytes.size(), frame.bytes_got);
+  }
+  if (!receive(reinterpret_cast<char*>(&frame.size), kSize, frame.size_got)) return false;
+  if (frame.size_got < kSize) return true;
+  if (frame.size > kMostFrameBytes) return false;
+  frame.bytes.resize(frame.size);
+  return true;
 }
 
 void HostProcess::read_errors() {
@@ -126,7 +127,7 @@ std::variant<std::string, DrawFailure> HostProcess::answer(std::span<const char>
   if (!question.empty()) asked.append(reinterpret_cast<const char*>(&size), sizeof size);
   asked.append(question.data(), question.size());
   std::string_view rest = asked;
-  std::string frame;
+  Frame frame;
   while (Clock::now() < deadline) {
     const auto wanted = static_cast<short>(rest.empty() ? POLLIN : POLLIN | POLLOUT);
     std::array<pollfd, 2> files = {pollfd{socket_.number(), wanted, 0},
@@ -135,7 +136,7 @@ std::variant<std::string, DrawFailure> HostProcess::answer(std::span<const char>
     if (files[1].revents != 0) read_errors();
     if ((files[0].revents & POLLOUT) && !send_some(rest)) break;
     if ((files[0].revents & (POLLIN | POLLHUP)) && !receive_some(frame)) break;
-    if (size_of(frame) == frame.size()) return frame.substr(sizeof(std::uint32_t));
+    if (frame.is_whole()) return std::move(frame.bytes);
   }
   return fail(Clock::now() >= deadline, seconds);
 }
@@ -147,7 +148,7 @@ DrawFailure HostProcess::fail(bool is_late, double seconds) {
   const bool ended =
       ends_before(process_, Clock::now() + std::chrono::duration_cast<Clock::duration>(patience));
   const int status = end();
-  const std::string words = last_words(printed_);
+  const std::string words = last_errors(printed_);
   if (ended) return {Kind::crashed, end_text(status) + words};
   if (is_late) {
     return {Kind::timed_out, fmt::format("does not answer within {:g} s{}", seconds, words)};
@@ -158,7 +159,7 @@ DrawFailure HostProcess::fail(bool is_late, double seconds) {
 DrawFailure HostProcess::fail_for_nonsense() {
   end();
   return {DrawFailure::Kind::crashed,
-          "answered with bytes that are no answer" + last_words(printed_)};
+          "answered with bytes that are no answer" + last_errors(printed_)};
 }
 
 int HostProcess::end() {

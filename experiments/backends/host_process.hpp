@@ -6,6 +6,8 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -34,8 +36,18 @@ class HostProcess {
 
  private:
   using Clock = std::chrono::steady_clock;
+  // As far as it has come.
+  struct Frame {
+    std::uint32_t size = 0;
+    std::string bytes = {};  // of that size, once it is known
+    std::size_t size_got = 0, bytes_got = 0;
+
+    bool is_whole() const { return size_got == sizeof size && bytes_got == bytes.size(); }
+  };
+
   bool send_some(std::string_view& rest);
-  bool receive_some(std::string& frame);
+  bool receive(char* to, std::size_t size, std::size_t& got);
+  bool receive_some(Frame& frame);
   void read_errors();
   DrawFailure fail(bool is_late, double seconds);
   int end();

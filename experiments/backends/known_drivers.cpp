@@ -46,6 +46,7 @@ std::vector<std::string> environment_of_icd(const fs::path& manifest) {
 struct ManifestPlace {
   std::vector<std::string> folders;
   std::string beginning;  // of its name, which ends with .json
+  std::string package;    // Debian's that has it
 };
 
 // The first by name, so that it is the same one every time; empty if there is none.
@@ -82,22 +83,28 @@ std::string without_name(const std::string& said, const std::string& name) {
 }
 
 std::vector<KnownDriver> make_known_drivers() {
-  const ManifestPlace lavapipe_place = {{"/usr/share/vulkan/icd.d", "/etc/vulkan/icd.d"},
-                                        "lvp_icd"};
+  const ManifestPlace lavapipe_place = {
+      {"/usr/share/vulkan/icd.d", "/etc/vulkan/icd.d"}, "lvp_icd", "mesa-vulkan-drivers"};
   const ManifestPlace swiftshader_place = {
       {"/usr/lib/chromium", "/usr/lib/chromium-browser", "/usr/share/vulkan/icd.d"},
-      "vk_swiftshader_icd"};
+      "vk_swiftshader_icd",
+      "chromium"};
   KnownDriver zink = mesa_driver("zink");
-  zink.package = "mesa-vulkan-drivers";
+  zink.package += " and mesa-vulkan-drivers";
   use_manifest(zink, lavapipe_place);
-  KnownDriver lavapipe = vulkan_driver("lavapipe", "mesa-vulkan-drivers");
+  KnownDriver lavapipe = vulkan_driver("lavapipe", lavapipe_place.package);
   lavapipe.renderer = "llvmpipe";
   use_manifest(lavapipe, lavapipe_place);
-  KnownDriver swiftshader = vulkan_driver("swiftshader", "chromium");
+  KnownDriver swiftshader = vulkan_driver("swiftshader", swiftshader_place.package);
   swiftshader.renderer = "SwiftShader";
   use_manifest(swiftshader, swiftshader_place);
+  // ANGLE on SwiftShader, the stack in which Chromium draws without a graphics card.
   const KnownDriver webgl = {
-      .name = "webgl", .host = "clipscope_draw_webgl", .package = "chromium"};
+      .name = "webgl",
+      .host = "clipscope_draw_webgl",
+      .arguments = {"--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"},
+      .renderer = "SwiftShader",
+      .package = "chromium"};
   KnownDriver standard = opengl_driver("default", {});
   standard.renderer.clear();
   return {mesa_driver("llvmpipe"),

@@ -36,6 +36,7 @@ void add_sweep_command(CLI::App& app, Action& action);
 void add_hunt_command(CLI::App& app, Action& action);
 void add_promote_command(CLI::App& app, Action& action);
 void add_paper_command(CLI::App& app, Action& action);
+void add_audit_command(CLI::App& app, Action& action);
 void add_list_command(CLI::App& app, Action& action);
 
 // The experiments in the order in which `clipscope run` does them. CMake makes their list from

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "experiments/audit/draw_text.hpp"
+#include "experiments/backends/known_drivers.hpp"
 #include "experiments/catalogue/hard_case.hpp"
 #include "experiments/commands/guest_options.hpp"
 #include "experiments/commands/options.hpp"
@@ -110,6 +112,25 @@ Table experiments_table() {
   return table;
 }
 
+Table drivers_table() {
+  Table table("drivers", "Graphics drivers",
+              {{"name", "name"},
+               {"api", "API"},
+               {"renderer", "calls itself"},
+               {"version", "version"},
+               {"subpixel_bits", "sub-pixel bits"},
+               {"missing", "not here"}});
+  for (const auto& [driver, info, reason] : drivers_here()) {
+    if (info) {
+      table.add_row({driver.name, api_text(*info), info->renderer, info->version,
+                     std::to_string(info->subpixel_bits), Cell()});
+    } else {
+      table.add_row({driver.name, Cell(), Cell(), Cell(), Cell(), reason});
+    }
+  }
+  return table;
+}
+
 // A name a line, then what it is, indented: long texts stay readable.
 void print_list(const Table& table) {
   for (const std::vector<Cell>& row : table.rows()) {
@@ -134,6 +155,7 @@ int list(const ListOptions& options) {
   const Table table = options.what == "clippers"  ? clippers_table()
                       : options.what == "scalars" ? scalars_table()
                       : options.what == "scenes"  ? scenes_table()
+                      : options.what == "drivers" ? drivers_table()
                                                   : experiments_table();
   if (options.json) {
     fmt::print("{}\n", json_text(table.to_json()["rows"], 2));
@@ -146,11 +168,11 @@ int list(const ListOptions& options) {
 }  // namespace
 
 void add_list_command(CLI::App& app, Action& action) {
-  const auto [command, options] =
-      add_command(app, action, list, "list", "List clippers, scalars, scenes or experiments");
+  const auto [command, options] = add_command(
+      app, action, list, "list", "List clippers, scalars, scenes, experiments or graphics drivers");
   command.add_option("what", options.what, "What to list")
       ->required()
-      ->check(CLI::IsMember({"clippers", "scalars", "scenes", "experiments"}));
+      ->check(CLI::IsMember({"clippers", "scalars", "scenes", "experiments", "drivers"}));
   add_guest_options(command, options.guests);
   command.add_flag("--json", options.json, "Print JSON");
 }

@@ -39,6 +39,7 @@ enum class ProvokingVertex : std::uint8_t { first, last };
 constexpr std::array<std::string_view, 2> names_of(ProvokingVertex) { return {"first", "last"}; }
 
 // What is read back of every pixel; the number of floats that it has there is channels(quantity).
+// Pixels without a fragment have 0, but primitive_id -1 and depth kNoDepth.
 enum class Quantity : std::uint8_t {
   covered,         // 1 where the shader ran, 0 elsewhere
   hits,            // how many fragments there were, and how many of them were front-facing

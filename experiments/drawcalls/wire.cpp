@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/drawcalls/wire.hpp"
 
+#include <malloc.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -55,7 +56,12 @@ class Writer {
   template <class C>
   void elements(const C& values) {
     (*this)(static_cast<std::uint32_t>(values.size()));
-    for (const auto& value : values) (*this)(value);
+    if constexpr (Plain<typename C::value_type>) {
+      bytes.append(reinterpret_cast<const char*>(values.data()),
+                   values.size() * sizeof(typename C::value_type));
+    } else {
+      for (const auto& value : values) (*this)(value);
+    }
   }
 };
 
@@ -69,9 +75,7 @@ class Reader {
 
   template <Plain T>
   void operator()(T& value) {
-    if (!has(sizeof value)) return;
-    std::memcpy(&value, rest_.data(), sizeof value);
-    rest_ = rest_.subspan(sizeof value);
+    if (has(sizeof value)) copy(&value, sizeof value);
   }
   void operator()(bool& value) { value = below(2) == 1; }
   void operator()(DepthRange& value) { value = static_cast<DepthRange>(below(3)); }
@@ -84,14 +88,14 @@ class Reader {
     is_good = is_good && bits >> kQuantities == 0;
     set = Quantities(bits);
   }
-  void operator()(std::string& text) { elements(text, 1); }
+  void operator()(std::string& text) { elements(text); }
   template <class T, std::size_t n>
   void operator()(std::array<T, n>& values) {
     for (T& value : values) (*this)(value);
   }
   template <class T>
   void operator()(std::vector<T>& values) {
-    elements(values, std::is_arithmetic_v<T> ? sizeof(T) : 1);
+    elements(values);
   }
   template <Record T>
   void operator()(T& value) {
@@ -108,14 +112,26 @@ class Reader {
     return is_good ? value : std::uint8_t{0};
   }
 
-  // least: bytes that an element has at least.
+  // Elements that are not plain have a byte at least.
   template <class C>
-  void elements(C& values, std::size_t least) {
+  void elements(C& values) {
+    using Element = typename C::value_type;
+    constexpr std::size_t kLeast = Plain<Element> ? sizeof(Element) : 1;
     std::uint32_t count = 0;
     (*this)(count);
-    if (!has(count * least)) return;
+    if (!has(count * kLeast)) return;
     values.resize(count);
-    for (auto& value : values) (*this)(value);
+    if constexpr (Plain<Element>) {
+      copy(values.data(), count * kLeast);
+    } else {
+      for (auto& value : values) (*this)(value);
+    }
+  }
+
+  // Pre-condition: there are so many bytes.
+  void copy(void* to, std::size_t size) {
+    if (size > 0) std::memcpy(to, rest_.data(), size);
+    rest_ = rest_.subspan(size);
   }
 
   std::span<const char> rest_;
@@ -169,10 +185,11 @@ void fields(Is<DrawFailure> auto& failure, Each& each) {
   each(failure.kind), each(failure.reason);
 }
 
-// Which of the two it is, and that one.
+// Which of the two it is, and that one. room: bytes that it is likely to take.
 template <class A, class B>
-std::string bytes_of(const std::variant<A, B>& either) {
+std::string bytes_of(const std::variant<A, B>& either, std::size_t room = 0) {
   Writer write;
+  write.bytes.reserve(room);
   write(static_cast<std::uint8_t>(either.index()));
   std::visit([&](const auto& it) { write(it); }, either);
   return std::move(write.bytes);
@@ -230,6 +247,10 @@ bool write_all(int file, const char* from, std::size_t size) {
          size;
 }
 
+Drawn too_many_pixels() {
+  return DrawFailure{DrawFailure::Kind::unable, "has no room for so many pixels"};
+}
+
 // A driver that hangs would outlive the program otherwise.
 void end_with_program() {
   std::thread([] {
@@ -243,7 +264,13 @@ void end_with_program() {
 }  // namespace
 
 std::string to_bytes(const Greeting& greeting) { return bytes_of(greeting); }
-std::string to_bytes(const Drawn& drawn) { return bytes_of(drawn); }
+std::string to_bytes(const Drawn& drawn) {
+  std::size_t floats = 64;  // room for the rest, too
+  if (const auto* pixels = std::get_if<Pixels>(&drawn)) {
+    for (const std::vector<float>& values : pixels->values) floats += values.size();
+  }
+  return bytes_of(drawn, floats * sizeof(float));
+}
 std::string to_bytes(const DrawCall& call) {
   Writer write;
   write(call);
@@ -280,14 +307,23 @@ bool write_frame(int file, std::span<const char> bytes) {
          write_all(file, bytes.data(), bytes.size());
 }
 
+void keep_memory_of_pixels() {
+  constexpr int kOneBlock = 32 << 20, kFree = 256 << 20;  // bytes; the first is the most there is
+  mallopt(M_MMAP_THRESHOLD, kOneBlock);
+  mallopt(M_TRIM_THRESHOLD, kFree);
+}
+
 int serve(Driver* driver, const std::string& reason_for_none) {
   end_with_program();
+  keep_memory_of_pixels();
   const Greeting greeting = driver ? Greeting(driver->info()) : Greeting(reason_for_none);
   if (!write_frame(kHostSocket, to_bytes(greeting)) || !driver) return driver ? 1 : 0;
   while (const std::optional<std::string> frame = read_frame(kHostSocket)) {
     const std::optional<DrawCall> call = draw_call_of(*frame);
     if (!call) return 1;
-    if (!write_frame(kHostSocket, to_bytes(driver->draw(*call)))) return 1;
+    std::string answer = to_bytes(driver->draw(*call));
+    if (answer.size() > kMostFrameBytes) answer = to_bytes(too_many_pixels());
+    if (!write_frame(kHostSocket, answer)) return 1;
   }
   return 0;
 }

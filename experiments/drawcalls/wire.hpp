@@ -41,6 +41,10 @@ std::optional<Drawn> drawn_of(std::span<const char> bytes);
 std::optional<std::string> read_frame(int file);
 bool write_frame(int file, std::span<const char> bytes);
 
+// Lets this process keep the memory that pixels take from one draw call to the next. Given back and
+// taken anew each time, some megabytes take longer than drawing them.
+void keep_memory_of_pixels();
+
 // The whole of a host's life: greets, and draws what it is asked for until the program ends. A null
 // driver greets with the reason. Returns the process's exit code.
 int serve(Driver* driver, const std::string& reason_for_none);

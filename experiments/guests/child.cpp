@@ -120,6 +120,11 @@ std::string last_words(std::string_view printed) {
   if (words.size() > kMostBytes) {
     words = "..." + valid_utf8(words.substr(words.size() - kMostBytes), "");
   }
+  return words;
+}
+
+std::string last_errors(std::string_view printed) {
+  const std::string words = last_words(printed);
   return words.empty() ? "" : fmt::format(" (standard error: {})", words);
 }
 

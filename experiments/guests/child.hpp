@@ -65,8 +65,11 @@ int end_group(pid_t process);
 // "SIGSEGV".
 std::string signal_text(int number);
 
-// The last lines of what it printed, in one: " (standard error: a | b)"; empty if nothing.
+// The last three lines that say something of what it printed: "a | b | c", made visible, 300 bytes
+// at most; empty if there are none.
 std::string last_words(std::string_view printed);
+// The same as a remark: " (standard error: a | b)"; empty if there are none.
+std::string last_errors(std::string_view printed);
 
 // A program or library of ours: beside this one, or where either is installed or built; empty if it
 // is nowhere there.

@@ -17,16 +17,20 @@ namespace {
 constexpr int kTimesInThreads = 8;
 constexpr unsigned char kOneByte = 0x00, kOtherByte = 0xff;  // the other one makes NaNs
 
+std::pair<std::size_t, std::size_t> vertices_of(const Batch& batch, std::size_t i) {
+  const auto n = static_cast<std::size_t>(batch.vertices);
+  if (n > 0) return {n * i, n * (i + 1)};
+  return {i == 0 ? 0 : batch.ends[i - 1], batch.ends[i]};
+}
+
 // The batch from its last primitive to its first, and the numbers that it refers to.
 class Reversed {
  public:
-  explicit Reversed(const Batch& batch) : batch_(batch) {
+  explicit Reversed(const Batch& batch) : batch_(batch), numbers_(reversed_numbers(batch)) {
+    std::size_t end = 0;
     for (std::size_t i = batch.size(); i-- > 0;) {
-      const auto [first, end] = vertices_of(batch, i);
-      for (std::size_t n = first * batch.stride(); n < end * batch.stride(); ++n) {
-        numbers_.push_back(batch.number(n));
-      }
-      ends_.push_back(numbers_.size() / batch.stride());
+      const auto [first, behind] = vertices_of(batch, i);
+      ends_.push_back(end += behind - first);
     }
     batch_.numbers = std::span<const double>(numbers_);
     if (batch.vertices == 0) batch_.ends = ends_;
@@ -37,12 +41,6 @@ class Reversed {
   const Batch& batch() const { return batch_; }
 
  private:
-  static std::pair<std::size_t, std::size_t> vertices_of(const Batch& batch, std::size_t i) {
-    const auto n = static_cast<std::size_t>(batch.vertices);
-    if (n > 0) return {n * i, n * (i + 1)};
-    return {i == 0 ? 0 : batch.ends[i - 1], batch.ends[i]};
-  }
-
   Batch batch_;
   std::vector<double> numbers_;
   std::vector<std::size_t> ends_;
@@ -102,22 +100,37 @@ void ask_in_threads(PluginRunner& runner, std::size_t count, Findings& findings)
 
 }  // namespace
 
-std::vector<Misconduct> conduct(const Contestant& contestant, const Batch& batch) {
+std::vector<double> reversed_numbers(const Batch& batch) {
+  std::vector<double> numbers;
+  for (std::size_t i = batch.size(); i-- > 0;) {
+    const auto [first, end] = vertices_of(batch, i);
+    for (std::size_t n = first * batch.stride(); n < end * batch.stride(); ++n) {
+      numbers.push_back(batch.number(n));
+    }
+  }
+  return numbers;
+}
+
+std::vector<Misconduct> conduct(const Contestant& contestant, const Batch& batch,
+                                const Answers& given) {
   const std::size_t count = batch.size();
   if (count == 0) return {};
   const std::unique_ptr<Runner> runner = contestant.prepare(std::span(&batch, 1));
-  const Answers expected = answers_of(*runner, count);
-  Findings findings(expected);
   auto* const plugin = dynamic_cast<PluginRunner*>(&runner->worker());
+  // Of a plug-in that was prepared for it; a program is started anew for each question.
+  const Answers expected = plugin != nullptr ? answers_of(*runner, count) : given;
+  Findings findings(expected);
   if (plugin != nullptr) {
     const Answers one = filled_answers(*plugin, kOneByte, count);
     const Answers other = filled_answers(*plugin, kOtherByte, count);
     findings.compare_filled(one, other, filled_answers(*plugin, kOneByte, count));
   }
   findings.compare(answers_of(*runner, count), "answers otherwise when it is asked again");
-  const Reversed reversed(batch);
-  findings.compare(clip(contestant, reversed.batch()), "answers otherwise in another order",
-                   [&](std::size_t i) { return count - 1 - i; });
+  if (count > 1) {
+    const Reversed reversed(batch);
+    findings.compare(clip(contestant, reversed.batch()), "answers otherwise in another order",
+                     [&](std::size_t i) { return count - 1 - i; });
+  }
   if (plugin == nullptr) return findings.all();
   plugin->start_anew();
   findings.compare(answers_of(*plugin, count), "answers otherwise in a fresh process");

@@ -21,8 +21,12 @@ struct Misconduct {
 
 // Asks about the whole batch: again, and in reversed order; of a plug-in also in a fresh process,
 // with other numbers where its output goes and, if it says that it is safe there, in two threads at
-// once. By primitive, the first of these whose answer has other bits. Pre-condition: the contestant
-// takes the batch, and computes in float or double.
-std::vector<Misconduct> conduct(const Contestant& contestant, const Batch& batch);
+// once. By primitive, the first of these whose answer has other bits. given: what it answered.
+// Pre-condition: the contestant takes the batch, and computes in float or double.
+std::vector<Misconduct> conduct(const Contestant& contestant, const Batch& batch,
+                                const Answers& given);
+
+// The numbers of a batch from its last primitive to its first.
+std::vector<double> reversed_numbers(const Batch& batch);
 
 }  // namespace clipscope::experiments

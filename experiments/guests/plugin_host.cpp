@@ -18,7 +18,6 @@
 #include <cstdio>
 #include <cstring>
 #include <new>
-#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -26,7 +25,6 @@
 #include "experiments/guests/plugin_said.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/machine/measuring.hpp"
-#include "experiments/table/utf8.hpp"
 #include "spaces/plugin/guarded.hpp"
 
 extern char** environ;
@@ -40,20 +38,6 @@ constexpr double kSlice = 0.02;  // s; how late the end of a host is seen, where
 constexpr double kAwakeUs = 10, kHostAwakeUs = 60, kTimedAwakeUs = 5000;
 
 std::string error_text(int error) { return std::strerror(error); }
-
-// The first two lines that say something, as the end of a reason; empty if there are none.
-std::string first_words(const std::string& printed) {
-  constexpr std::size_t kMostBytes = 240;
-  std::string words;
-  std::istringstream lines(printed);
-  int found = 0;
-  for (std::string line; found < 2 && std::getline(lines, line);) {
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first == std::string::npos) continue;
-    words += (found++ == 0 ? ", printing: " : " ") + visible_utf8(line.substr(first));
-  }
-  return valid_utf8(words.substr(0, kMostBytes), "");
-}
 
 // Lets it print to the pipe, and read nothing.
 class FileActions {
@@ -176,6 +160,11 @@ std::string PluginHost::read_printed() const {
   return text;
 }
 
+std::string PluginHost::last_printed() const {
+  const std::string words = last_words(read_printed());
+  return words.empty() ? "" : ", printing: " + words;
+}
+
 void PluginHost::pass_on_printed() const {
   const std::string text = read_printed();
   std::fwrite(text.data(), 1, text.size(), stderr);
@@ -192,8 +181,8 @@ std::optional<Failure> PluginHost::ask(plugin::Order order, double seconds) {
   }
   if (!has_ended()) {
     end();
-    return Failure{Failure::Kind::timed_out, fmt::format("does not end within {:g} s{}", seconds,
-                                                         first_words(read_printed()))};
+    return Failure{Failure::Kind::timed_out,
+                   fmt::format("does not end within {:g} s{}", seconds, last_printed())};
   }
   control().fault = plugin::Fault::none;
   return failure_of_end();
@@ -290,7 +279,7 @@ void PluginHost::end() {
 
 Failure PluginHost::failure_of_end() const {
   Failure failure = experiments::failure_of_end(control(), status_);
-  failure.reason += first_words(read_printed());
+  failure.reason += last_printed();
   return failure;
 }
 

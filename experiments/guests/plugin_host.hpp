@@ -82,6 +82,7 @@ class PluginHost {
   // What the plug-in has printed and nobody has read: to standard error, unless it is the last
   // thing that it did.
   std::string read_printed() const;
+  std::string last_printed() const;  // ", printing: a | b"; empty if nothing
   void pass_on_printed() const;
   bool has_ended();
   void end();

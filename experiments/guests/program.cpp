@@ -37,7 +37,7 @@ struct Program {
 // How it failed; nothing if it ended as it should.
 std::optional<Failure> failure_of(const ProcessResult& result, const ProcessLimits& limits) {
   using End = ProcessResult::End;
-  const std::string words = last_words(result.errors);
+  const std::string words = last_errors(result.errors);
   switch (result.end) {
     case End::killed:
       return Failure{

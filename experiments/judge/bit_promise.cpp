@@ -168,9 +168,12 @@ void BitQuestions::add_steady() {
     lone_ = t;
     break;
   }
-  asked_.push_back({Question::steady, "alone", alone(batch_, lone_), Order::alone});
+  const bool has_others = batch_.size() > 1;  // else it was asked alone already
+  if (has_others) asked_.push_back({Question::steady, "alone", alone(batch_, lone_), Order::alone});
   if (contestant_.is_guest) {
-    for (const Misconduct& m : conduct(contestant_, batch_)) misconduct_[m.primitive] = m.reason;
+    for (const Misconduct& m : conduct(contestant_, batch_, given_)) {
+      misconduct_[m.primitive] = m.reason;
+    }
     return;
   }
   asked_.push_back({Question::steady, "again", Variant(batch_)});

@@ -2,9 +2,9 @@
 //
 // Does a clipper's polygon keep the clipper's promise (spaces/clipper.hpp)?
 //
-// Everything is measured in clip space, attributes as further coordinates (scaled so that the
-// largest is as large as M): a polygon vertex (x, y, z, 1/w) is the point (x, y, z, 1) w. With
-// tolerance = ulps * (u * M + the smallest positive number) * amplification the promise holds if
+// Everything is measured in clip space, attributes as further coordinates, scaled so that they have
+// the same unit (u M + eta with their own M and eta): a polygon vertex (x, y, z, 1/w) is the point
+// (x, y, z, 1) w. With tolerance = ulps * (u M + eta) * amplification the promise holds if
 //   contained  no vertex is farther than the tolerance outside a plane,
 //   faithful   no vertex is farther than the tolerance from the input primitive,
 //   covers     no vertex of the exact polygon in the volume made smaller by the tolerance is
@@ -22,13 +22,15 @@
 
 #include "experiments/contestants/answers.hpp"
 #include "experiments/contestants/contestant.hpp"
+#include "experiments/judge/promise_setting.hpp"
 #include "reference/exact_clip.hpp"
 #include "spaces/clipper.hpp"
 
 namespace clipscope::experiments {
 
 // outside_domain also where the numbers leave the format (intermediate results overflow, or 1/w
-// does and the answer is no point of clip space), and where the visible part comes so near to the
+// does and the answer is no point of clip space, or what a frustum's matrix and planes are made of
+// over- or underflows), and where the visible part comes so near to the
 // eye that its w is within the tolerance of 0: no bound in clip space says anything about NDC
 // there.
 enum class PromiseVerdict { kept, broken, outside_domain };
@@ -49,6 +51,9 @@ struct PromiseCheck {
   // Both empty where it is broken for another reason.
   Breach contained = {}, covers = {};
 };
+
+// Whether both promises ask the same of an answer's distances and of its rounding.
+bool is_same_bound(const Promise& a, const Promise& b);
 
 // What a promise is checked against: the volume in exact numbers, and the same volume in doubles
 // for magnitudes. For view-space input give the frustum, for clip-space input the volume alone, or
@@ -77,16 +82,11 @@ class PromiseChecker {
 
   const reference::Truth& truth() const { return truth_; }
 
-  struct Setting;
-
  private:
-  bool is_spoken_of(const Promise& promise, const Setting& setting,
+  PromiseSetting setting(const Promise& promise, std::span<const reference::InputVertex> vertices,
+                         int attribute_count, const Format& format) const;
+  bool is_spoken_of(const Promise& promise, const PromiseSetting& setting,
                     const PolygonView& polygon) const;
-  PromiseCheck check_in_cheapest(const Promise& promise, const Setting& setting,
-                                 const PolygonView& polygon) const;
-  template <class N>
-  PromiseCheck check_distances(const Promise& promise, const Setting& setting,
-                               const PolygonView& polygon) const;
   double coordinate_magnitude(const reference::InputVertex& vertex) const;
   double largest_intermediate(const reference::InputVertex& vertex) const;
 
@@ -95,6 +95,7 @@ class PromiseChecker {
   reference::Truth truth_;
   MatrixRows<double> rows_;  // from the input's space to clip space
   ClipVolume volume_;
+  FrustumRange range_;
   double longest_ = 0;  // number of a frustum, in whose planes view-space clippers cut
   bool by_matrix_ = false;
 };

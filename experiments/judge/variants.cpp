@@ -2,8 +2,11 @@
 #include "experiments/judge/variants.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
+
+#include "experiments/guests/conduct.hpp"
 
 namespace clipscope::experiments {
 namespace {
@@ -14,6 +17,19 @@ bool leaves_room(double x) { return x == 0 || std::abs(std::ilogb(x)) <= kRoom; 
 
 bool has_room(const Vec4<double>& row) {
   return leaves_room(row[0]) && leaves_room(row[1]) && leaves_room(row[2]) && leaves_room(row[3]);
+}
+
+bool has_room(const Frustum<double>& f) {
+  return std::ranges::all_of(std::array{f.left, f.right, f.bottom, f.top, f.near,
+                                        f.infinite_far ? 0 : f.far, f.shear_x, f.shear_y},
+                             leaves_room);
+}
+
+// What the triangles are clipped against, as far as it has numbers.
+bool surroundings_have_room(const Batch& batch) {
+  if (!batch.matrix) return batch.space == Space::clip || has_room(batch.frustum);
+  const auto row_has_room = [](const Vec4<double>& row) { return has_room(row); };
+  return std::ranges::all_of(*batch.matrix, row_has_room);
 }
 
 }  // namespace
@@ -30,8 +46,7 @@ Variant::Variant(const Batch& description, std::vector<double> numbers)
 }
 
 std::vector<char> room_of(const Batch& batch) {
-  const bool matrix_has_room = !batch.matrix || std::ranges::all_of(*batch.matrix, has_room);
-  std::vector<char> room(batch.size(), matrix_has_room);
+  std::vector<char> room(batch.size(), surroundings_have_room(batch));
   const std::size_t numbers = 3 * batch.stride();
   for (std::size_t i = 0; i < room.size() * numbers; ++i) {
     if (!leaves_room(batch.number(i))) room[i / numbers] = false;
@@ -110,14 +125,7 @@ Variant neighbours(const Batch& batch, const std::vector<char>& has_room, bool a
   return variant;
 }
 
-Variant reversed(const Batch& batch) {
-  Variant variant(batch);
-  const std::size_t numbers = 3 * batch.stride();
-  for (std::size_t i = 0; i < batch.size() * numbers; ++i) {
-    variant.number(batch.size() - 1 - i / numbers, 0, i % numbers) = batch.number(i);
-  }
-  return variant;
-}
+Variant reversed(const Batch& batch) { return {batch, reversed_numbers(batch)}; }
 
 Variant alone(const Batch& batch, std::size_t triangle) {
   Batch one = batch;

@@ -41,8 +41,8 @@ class Variant {
   Batch batch_;
 };
 
-// Whether a triangle's numbers, and those of a matrix, are such that no product of a few of them
-// over- or underflows: each |x| in [2^-40, 2^40] or 0. Of each triangle.
+// Whether a triangle's numbers, and those of its matrix or frustum, are such that no product of a
+// few of them over- or underflows: each |x| in [2^-40, 2^40] or 0. Of each triangle.
 std::vector<char> room_of(const Batch& batch);
 
 // Each triangle begins with another of its vertices.

@@ -2,10 +2,21 @@
 #include "experiments/pixels/judgement.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
 namespace clipscope::experiments {
+namespace {
+
+// The least k >= 0 with 2 ulps <= 2^k: from the exponent's bits, one more unless the others are 0.
+std::size_t bin_of(double ulps) {
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(std::clamp(2 * ulps, 1.0, 0x1p60));
+  const std::uint64_t above_power = bits + (std::uint64_t{1} << 52) - 1;
+  return std::min(static_cast<std::size_t>((above_power >> 52) - 1023), UlpErrors::kBins - 1);
+}
+
+}  // namespace
 
 std::uint64_t UlpErrors::count() const {
   return std::accumulate(bins.begin(), bins.end(), std::uint64_t{0});
@@ -24,9 +35,7 @@ double UlpErrors::quantile(double share) const {
 }
 
 void UlpErrors::add(double ulps, const WorstPixel& pixel) {
-  std::size_t bin = 0;
-  while (bin + 1 < kBins && ulps > std::ldexp(1.0, static_cast<int>(bin) - 1)) ++bin;
-  ++bins[bin];
+  ++bins[bin_of(ulps)];
   if (ulps <= greatest) return;
   greatest = ulps;
   worst = pixel;

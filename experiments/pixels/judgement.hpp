@@ -63,7 +63,9 @@ struct Violation {
   double size = 0;
 };
 
-// Of legal values: how far from the exact one.
+// Of legal values: how far from the exact one, in ulp of float at the greatest magnitude that the
+// vertices of the primitive, or of what clipping leaves of it, have there (of a depth: at 1, if
+// that is more). An ulp at the exact value would say nothing where a varying goes through 0.
 struct UlpErrors {
   static constexpr std::size_t kBins = 34;
   // Bin 0: at most 1/2 ulp (correctly rounded); bin k: at most 2^(k-1); the last one all beyond.

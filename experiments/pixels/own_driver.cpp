@@ -310,9 +310,8 @@ class Painter {
 
   void put(Quantity quantity, std::size_t channel, double value) {
     std::vector<float>& values = pixels_.values[bit(quantity)];
-    if (!values.empty()) {
-      values[pixel_ * channels(quantity) + channel] = static_cast<float>(value);
-    }
+    if (values.empty()) return;
+    values[pixel_ * channels(quantity) + channel] = static_cast<float>(value);
   }
 
   const DrawCall& call_;

@@ -5,9 +5,9 @@
 // It is what the judge is judged by: what it draws without a fault must come out clean, each fault
 // must be found. It shares no arithmetic with the judge: it clips in homogeneous coordinates
 // (Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974) to the depths and to a guard band,
-// divides, snaps to its sub-pixel bits, and fills in integers, all in double; what it hands over are
-// floats. Edges own what lies on them by which side of them is filled, so that two polygons of one
-// edge never share a pixel and never leave one out.
+// divides, snaps to its sub-pixel bits, and fills in integers, all in double; what it hands over
+// are floats. Edges own what lies on them by which side of them is filled, so that two polygons of
+// one edge never share a pixel and never leave one out.
 //
 // Lines: in each column of an x-major line the pixel that the line crosses at the column's centre,
 // without the last one; y-major lines by rows (legal by rules 1 to 4 of OpenGL 4.6 core, 14.5.1).

@@ -8,20 +8,25 @@
 namespace clipscope::experiments {
 namespace {
 
-// Times the distance of the side planes: far enough that a picture hardly ever needs it, near
-// enough that products of grid coordinates fit into 64 bits.
-constexpr double kGuardBand = 4096;
+// From the middle of the viewport: far enough that a picture hardly ever needs it, near enough that
+// products of grid coordinates fit into 64 bits.
+constexpr double kGuardBandPx = 0x1p18;
+
+// Weights of two ends. Each has a division of its own: 1 - t would lose the smaller one.
+struct Ends {
+  double from = 0, to = 0;
+};
 
 template <std::size_t n>
-void blend(std::array<double, n>& to, const std::array<double, n>& from, double t) {
-  for (std::size_t i = 0; i < n; ++i) to[i] = (1 - t) * from[i] + t * to[i];
+void blend(std::array<double, n>& to, const std::array<double, n>& from, const Ends& ends) {
+  for (std::size_t i = 0; i < n; ++i) to[i] = ends.from * from[i] + ends.to * to[i];
 }
 
-OwnVertex between(const OwnVertex& from, OwnVertex to, double t) {
-  blend(to.position, from.position, t);
-  blend(to.varying, from.varying, t);
-  blend(to.varying_w, from.varying_w, t);
-  blend(to.distances, from.distances, t);
+OwnVertex between(const OwnVertex& from, OwnVertex to, const Ends& ends) {
+  blend(to.position, from.position, ends);
+  blend(to.varying, from.varying, ends);
+  blend(to.varying_w, from.varying_w, ends);
+  blend(to.distances, from.distances, ends);
   return to;
 }
 
@@ -29,7 +34,8 @@ using Distance = std::function<double(const OwnVertex&)>;
 
 // From the inside to the outside end, so that both triangles of an edge get the same vertex.
 OwnVertex crossing(const OwnVertex& a, const OwnVertex& b, double d_a, double d_b) {
-  return d_a >= 0 ? between(a, b, d_a / (d_a - d_b)) : between(b, a, d_b / (d_b - d_a));
+  if (d_a < 0) return crossing(b, a, d_b, d_a);
+  return between(a, b, {-d_b / (d_a - d_b), d_a / (d_a - d_b)});
 }
 
 void cut(OwnPolygon& polygon, const Distance& distance) {
@@ -66,11 +72,12 @@ std::vector<Distance> planes_of(const DrawCall& call, RasterFault fault) {
   return planes;
 }
 
-void add_guard_band(std::vector<Distance>& planes) {
+void add_guard_band(std::vector<Distance>& planes, const Viewport& port) {
+  const double times_side = kGuardBandPx / std::max(port.width, port.height);
   for (const std::size_t axis : {0, 1}) {
     for (const double sign : {-1.0, 1.0}) {
-      planes.emplace_back([axis, sign](const OwnVertex& v) {
-        return kGuardBand * v.position[3] + sign * v.position[axis];
+      planes.emplace_back([axis, sign, times_side](const OwnVertex& v) {
+        return times_side * v.position[3] + sign * v.position[axis];
       });
     }
   }
@@ -112,7 +119,7 @@ OwnPolygon own_polygon(const DrawCall& call, const std::vector<std::uint32_t>& n
 void clip_own(OwnPolygon& polygon, const DrawCall& call, RasterFault fault) {
   std::vector<Distance> planes = planes_of(call, fault);
   const bool is_point = polygon.vertices.size() == 1;
-  if (!is_point && fault != RasterFault::guard_band_wraps) add_guard_band(planes);
+  if (!is_point && fault != RasterFault::guard_band_wraps) add_guard_band(planes, call.viewport);
   // What the planes leave has w >= 0, and 0 only where all of them meet.
   planes.emplace_back([](const OwnVertex& v) { return v.position[3] - 0x1p-120; });
   for (const Distance& distance : planes) {

@@ -232,6 +232,7 @@ LatexTable pivot_table(const PaperRows& run, const Json& entry) {
 
 std::string table_text(const PaperRows& run, const Json& entry) {
   LatexTable table = entry.contains("pivot") ? pivot_table(run, entry) : plain_table(run, entry);
+  if (table.rows.empty() && entry.contains("else")) return entry.at("else").get<std::string>();
   if (table.rows.empty()) throw InputError("no row matches");
   table.align = entry.value("align", table.align);
   table.is_long = entry.value("long", false);
@@ -239,8 +240,8 @@ std::string table_text(const PaperRows& run, const Json& entry) {
 }
 
 // The file of the run that a figure's name stands for, relative to the folder: the picture of that
-// name, or the PDF of the plot. Errors: InputError, where there is no such figure.
-fs::path figure_file(const ResultsStore& store, const fs::path& name) {
+// name, or the PDF of the plot. Nothing where there is no such figure.
+std::optional<fs::path> figure_file(const ResultsStore& store, const fs::path& name) {
   for (const StoredExperiment& experiment : store.experiments()) {
     for (const StoredFigure& figure : store.figures(experiment.name)) {
       const fs::path file = figure.file;
@@ -250,13 +251,18 @@ fs::path figure_file(const ResultsStore& store, const fs::path& name) {
       }
     }
   }
-  throw InputError(fmt::format("figure {} is not among the results", name.string()));
+  return std::nullopt;
 }
 
-void copy_figure(const ResultsStore& store, const std::string& name, const fs::path& out) {
-  const fs::path file = figure_file(store, name), from = store.file().parent_path() / file;
+// entry: the figure's name; {"if_there": name} of one that a run may not have.
+void copy_figure(const ResultsStore& store, const Json& entry, const fs::path& out) {
+  const std::string name = (entry.is_object() ? entry.at("if_there") : entry).get<std::string>();
+  const std::optional<fs::path> file = figure_file(store, name);
+  if (!file && entry.is_object()) return;
+  if (!file) throw InputError(fmt::format("figure {} is not among the results", name));
+  const fs::path from = store.file().parent_path() / *file;
   std::error_code error;
-  fs::copy_file(from, out / file.filename(), fs::copy_options::overwrite_existing, error);
+  fs::copy_file(from, out / file->filename(), fs::copy_options::overwrite_existing, error);
   if (error) {
     throw InputError(
         fmt::format("{}: can't be copied to {}: {}", from.string(), out.string(), error.message()));
@@ -295,7 +301,7 @@ void write_paper_inputs(const ResultsStore& store, const std::filesystem::path& 
     write_file(out / (entry.at("file").get<std::string>() + ".tex"), table_text(run, entry));
   });
   for_each_entry(contents, path, "figures",
-                 [&](const Json& entry) { copy_figure(store, entry.get<std::string>(), out); });
+                 [&](const Json& entry) { copy_figure(store, entry, out); });
 }
 
 }  // namespace clipscope::experiments

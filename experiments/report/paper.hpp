@@ -18,7 +18,9 @@
 //                "columns": {"clipper": "Clipper", …}, "long": false}]
 //              or, instead of columns, "pivot": {"rows": "clipper", "columns": "mix",
 //              "value": "ns_per_triangle", "head": "Clipper"}
-//   "figures"  ["cost", "pictures-floor.png"]: stems of plots, or files of pictures
+//                "else": "none", LaTeX in place of a table that a run has no row of
+//   "figures"  ["cost", "pictures-floor.png"]: stems of plots, or files of pictures;
+//              {"if_there": "drivers_gravest.png"}: one that a run may not have
 //   "names"    {"soup": "game-like"}: what tables have for these cells
 // experiments/report/paper_rows.hpp has what else selects rows of values and tables. Beside these,
 // values.tex has macros for every experiment's finding, \finding{cost}, and question,

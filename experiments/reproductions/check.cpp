@@ -45,7 +45,8 @@ std::pair<double, double> hull(const DrawCall& call, const Check& check) {
 double tolerance_of(const DrawCall& call, const Violation& violation, const Check& check) {
   const double error = std::abs(violation.worst.returned - violation.worst.exact);
   if (std::isfinite(error)) {
-    const bool is_measured = std::isfinite(violation.size) && violation.size > 1;
+    const bool is_measured = std::isfinite(violation.size) && violation.size > 1 &&
+                             violation.kind != ViolationKind::outside_hull;
     return is_measured ? error / std::sqrt(violation.size) : error / 2;
   }
   const bool is_of_vertices =
@@ -63,20 +64,27 @@ void set_bounds(const DrawCall& call, const Violation& violation, Check& check) 
     const auto [lowest, highest] = hull(call, check);
     const double returned = violation.worst.returned;
     const double beyond = std::max(returned - highest, lowest - returned);
-    const double slack = std::isfinite(beyond) ? std::max(beyond, 0.0) / 2 : tolerance;
-    least = lowest - slack;
-    greatest = highest + slack;
+    const bool is_between = beyond <= 0;  // but not between those of the clipped polygon
+    const double slack = std::isfinite(beyond) ? beyond / 2 : tolerance;
+    least = is_between ? least : lowest - slack;
+    greatest = is_between ? greatest : highest + slack;
   }
   check.least = static_cast<float>(least);
   check.greatest = static_cast<float>(greatest);
 }
 
+// See experiments/pixels/lines.hpp for what the channel means there.
+Check::Region region_of(const DrawCall& call, const Violation& violation) {
+  const bool is_line = call.topology == Topology::lines || call.topology == Topology::line_strip;
+  const bool is_lacking =
+      violation.kind == ViolationKind::missing || violation.kind == ViolationKind::primitive_lost;
+  if (is_line && is_lacking) return Check::Region::target;
+  if (!is_line || violation.worst.exact < 1) return Check::Region::pixel;
+  return violation.worst.channel == 0 ? Check::Region::column : Check::Region::row;
+}
+
 // Whether it is a + b exactly: of the two differences that of the larger one has no error.
 bool is_sum(double sum, double a, double b) { return sum - a == b && sum - b == a; }
-
-std::string fragments_text(int count) {
-  return count == 0 ? "no fragment" : fmt::format("{} fragment{}", count, count == 1 ? "" : "s");
-}
 
 }  // namespace
 
@@ -92,6 +100,7 @@ Check check_of(const DrawCall& call, const Violation& violation) {
     check.kind = Check::Kind::fragments;
     check.fragments = static_cast<int>(std::lround(violation.worst.exact));
     check.came = static_cast<int>(std::lround(violation.worst.returned));
+    check.region = region_of(call, violation);
   } else {
     check.kind = check.quantity == Quantity::depth ? Check::Kind::depth : Check::Kind::value;
     set_bounds(call, violation, check);
@@ -99,9 +108,23 @@ Check check_of(const DrawCall& call, const Violation& violation) {
   return check;
 }
 
+std::string fragments_text(int count) {
+  return count == 0 ? "no fragment" : fmt::format("{} fragment{}", count, count == 1 ? "" : "s");
+}
+
+std::string place_of(const Check& check) {
+  switch (check.region) {
+    case Check::Region::pixel: return fmt::format("pixel ({}, {})", check.x, check.y);
+    case Check::Region::column: return fmt::format("column {}", check.x);
+    case Check::Region::row: return fmt::format("row {}", check.y);
+    case Check::Region::target: return "all pixels";
+  }
+  return {};
+}
+
 std::string subject_of(const Check& check) {
   if (check.kind == Check::Kind::ends) return "the end of drawing";
-  const std::string place = fmt::format("pixel ({}, {})", check.x, check.y);
+  const std::string place = place_of(check);
   const std::string_view quantity = names_of(Quantity{})[bit(check.quantity)];
   if (check.kind == Check::Kind::fragments) {
     const bool reads = check.quantity != Quantity::covered && check.quantity != Quantity::hits;
@@ -115,7 +138,11 @@ std::string subject_of(const Check& check) {
 std::string demand_of(const Check& check) {
   switch (check.kind) {
     case Check::Kind::ends: return "reached";
-    case Check::Kind::fragments: return fragments_text(check.fragments);
+    case Check::Kind::fragments:
+      return (check.comparison() == ">="   ? "at least "
+              : check.comparison() == "<=" ? "at most "
+                                           : "") +
+             fragments_text(check.fragments);
     default: return fmt::format("between {} and {}", check.least, check.greatest);
   }
 }

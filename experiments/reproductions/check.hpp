@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "experiments/pixels/judgement.hpp"
 
@@ -23,15 +24,26 @@ struct Check {
   // What the shader reads: the value, or, of fragments, what it has to read for them to be wrong.
   Quantity quantity = Quantity::covered;
   std::size_t channel = 0;
-  int fragments = 0;              // right are so many
-  int came = 0;                   // and so many came
+  int fragments = 0;  // right are so many
+  int came = 0;       // and so many came
+  // Where they are counted. The rules of lines tell how many there are in all and in a column (or a
+  // row), not where.
+  enum class Region { pixel, column, row, target } region = Region::pixel;
   float least = 0, greatest = 0;  // right is a value between them; NaN is not
 
   // Where fragments were none or shall be none, a pixel tells by its colour; else they are counted.
-  bool counts() const { return kind == Kind::fragments && fragments > 0 && came > 0; }
+  bool counts() const {
+    return kind == Kind::fragments && (region != Region::pixel || (fragments > 0 && came > 0));
+  }
+  // How the count has to stand to `fragments`: "==", of all of a line ">=", of a column "<=".
+  std::string_view comparison() const {
+    return region == Region::pixel ? "==" : region == Region::target ? ">=" : "<=";
+  }
 };
 Check check_of(const DrawCall& call, const Violation& violation);
 
+// "2 fragments".
+std::string fragments_text(int count);
 // "pixel (16, 9), noperspective[0]".
 std::string subject_of(const Check& check);
 // "between 0.25 and 0.75", "1 fragment": what is right.

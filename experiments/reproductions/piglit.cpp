@@ -3,7 +3,6 @@
 // Piglit's shader_runner draws from lists of vertices alone, so vertices that are indexed are
 // written as often as they are used, and it has no depth range but that of -1 to 1.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "experiments/reproductions/formats.hpp"
 #include "experiments/reproductions/shaders.hpp"
@@ -87,7 +86,9 @@ draw arrays GL_TRIANGLES {} 6
 
 std::string probe(const Check& check) {
   if (check.kind == Check::Kind::ends) return {};
-  if (check.counts()) return fmt::format("probe atomic counter 0 == {}\n", check.fragments);
+  if (check.counts()) {
+    return fmt::format("probe atomic counter 0 {} {}\n", check.comparison(), check.fragments);
+  }
   return fmt::format("probe rgba {} {} 0.0 1.0 0.0 1.0\n", check.x, check.y);
 }
 
@@ -112,9 +113,9 @@ std::string piglit_test(const Case& it) {
   // Where no fragment shall be the clear colour is the right one.
   const bool is_clear_right = check.kind == Check::Kind::fragments && check.fragments == 0;
   return fmt::format(
-      "# {}\n\n{}\n[vertex shader]\n{}\n[fragment shader]\n{}\n[vertex data]\n{}\n"
+      "{}\n{}\n[vertex shader]\n{}\n[fragment shader]\n{}\n[vertex data]\n{}\n"
       "[test]\n{}{}clear color {} 1.0\n{}clear\n{}{}",
-      fmt::join(it.about, "\n# "), requirements(*call, check), shaders.vertex, shaders.fragment,
+      comment(it, "#"), requirements(*call, check), shaders.vertex, shaders.fragment,
       vertex_data(vertices, inputs_of(*call, check)), state(*call, check),
       check.counts() ? "atomic counters 1\n" : "", is_clear_right ? "0.0 1.0 0.0" : "1.0 0.0 0.0",
       is_depth ? fmt::format("clear depth {}\n", kNoDepth) : "", draw, probe(check));

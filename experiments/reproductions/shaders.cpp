@@ -86,19 +86,28 @@ std::string judging_text(const Check& check) {
                      decimal_text(check.least), decimal_text(check.greatest), kGreen, kRed);
 }
 
+std::string counting_text(const Check& check, Dialect dialect) {
+  const std::string_view count = dialect == Dialect::opengl ? "atomicCounterIncrement(fragments);\n"
+                                                            : "atomicAdd(fragments, 1u);\n";
+  switch (check.region) {
+    case Check::Region::pixel:
+      return fmt::format("  if (ivec2(gl_FragCoord.xy) == ivec2({}, {})) {}", check.x, check.y,
+                         count);
+    case Check::Region::column:
+      return fmt::format("  if (int(gl_FragCoord.x) == {}) {}", check.x, count);
+    case Check::Region::row:
+      return fmt::format("  if (int(gl_FragCoord.y) == {}) {}", check.y, count);
+    case Check::Region::target: return fmt::format("  {}", count);
+  }
+  return {};
+}
+
 std::string body_text(const Check& check, Dialect dialect, std::string_view paint) {
   const std::string read = read_text(check, dialect);
   std::string text = read.empty() ? "" : fmt::format("  float it = {};\n", read);
   if (check.kind == Check::Kind::value) return text + judging_text(check);
   std::string colour(paint.empty() ? check.fragments > 0 ? kGreen : kRed : paint);
-  if (check.counts() && dialect == Dialect::vulkan) {
-    colour = fmt::format("vec4({}.0 / 255.0)", kColourOfOne);
-  }
-  if (check.counts() && dialect == Dialect::opengl) {
-    text += fmt::format(
-        "  if (ivec2(gl_FragCoord.xy) == ivec2({}, {})) atomicCounterIncrement(fragments);\n",
-        check.x, check.y);
-  }
+  if (check.counts()) text += counting_text(check, dialect);
   // What is read has to matter, or the compiler leaves it out.
   if (!read.empty()) colour = fmt::format("it == -12345.0 ? vec4(0.0, 0.0, 1.0, 1.0) : {}", colour);
   return text + fmt::format("  colour = {};\n", colour);
@@ -107,11 +116,14 @@ std::string body_text(const Check& check, Dialect dialect, std::string_view pain
 std::string fragment_shader(const DrawCall& call, const Check& check, Dialect dialect,
                             std::string_view paint) {
   std::string text(version(dialect));
-  const bool has_counter = check.counts() && dialect == Dialect::opengl;
-  if (has_counter) text += "#extension GL_ARB_shader_atomic_counters : require\n";
+  const bool is_opengl = dialect == Dialect::opengl;
+  if (check.counts() && is_opengl) text += "#extension GL_ARB_shader_atomic_counters : require\n";
   text += varying_text(check, dialect, "in");
   if (check.quantity == Quantity::clip_distances) text += distances_text(call, "in");
-  if (has_counter) text += "layout(binding = 0, offset = 0) uniform atomic_uint fragments;\n";
+  if (check.counts()) {
+    text += is_opengl ? "layout(binding = 0, offset = 0) uniform atomic_uint fragments;\n"
+                      : "layout(set = 0, binding = 0) buffer Count { uint fragments; };\n";
+  }
   if (paint == "paint") text += "uniform vec4 paint;\n";
   text += fmt::format("{}out vec4 colour;\n\nvoid main() {{\n", location(dialect, 0));
   return text + body_text(check, dialect, paint) + "}\n";

@@ -3,8 +3,7 @@
 // The shaders of piglit's tests and Amber's scripts: they turn what is wrong into a colour.
 //
 // Green is right and red is wrong, so that 8 bits of colour suffice, and an error of any size is
-// seen. Fragments that have to be counted are by an atomic counter in OpenGL, and by a colour that
-// is added up in Vulkan.
+// seen. Fragments that have to be counted are by an atomic counter, in Vulkan in a buffer.
 #pragma once
 
 #include <string>
@@ -26,7 +25,6 @@ Shaders shaders_of(const DrawCall& call, const Check& check, Dialect dialect,
 
 inline constexpr std::string_view kGreen = "vec4(0.0, 1.0, 0.0, 1.0)";
 inline constexpr std::string_view kRed = "vec4(1.0, 0.0, 0.0, 1.0)";
-inline constexpr int kColourOfOne = 17;  // of 255, that each fragment adds in Vulkan
 
 // An input of the vertex shader, a vec4; those that the shaders have, by location from 0 on.
 struct VertexInput {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "experiments/machine/base64.hpp"
 #include "experiments/machine/files.hpp"
 #include "experiments/scenes/gltf.hpp"
 #include "experiments/table/json_text.hpp"
@@ -137,27 +138,6 @@ nlohmann::json parse_json(const std::string& name, std::string_view text) {
   }
   if (!root.is_object()) refuse(name, "the JSON is no object");
   return root;
-}
-
-// RFC 4648, section 4; none where a character does not belong.
-std::optional<std::string> decode_base64(std::string_view text) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  while (text.ends_with('=')) text.remove_suffix(1);
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    const std::size_t digit = kDigits.find(c);
-    if (digit == std::string_view::npos) return std::nullopt;
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    count += 6;
-    if (count >= 8) {
-      count -= 8;
-      bytes.push_back(static_cast<char>(bits >> count & 0xff));
-    }
-  }
-  return bytes;
 }
 
 // RFC 3986, section 2.1.

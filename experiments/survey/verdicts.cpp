@@ -5,6 +5,8 @@
 #include <cmath>
 #include <deque>
 #include <iterator>
+#include <optional>
+#include <utility>
 
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/contestants/plane_columns.hpp"
@@ -21,10 +23,30 @@ namespace {
 
 constexpr std::size_t kCasesAtOnce = 32;  // cases in work at once
 
-PromiseCheck check_answer(const Contestant& contestant, const HardCase& hard_case,
-                          const CaseBatch& input, const PromiseChecker& checker,
-                          const PolygonView& answer) {
-  PromiseCheck check = checker.check(contestant.promise, triangle_of(hard_case), answer);
+// Checks of one triangle's answers: those that have the same bits and the same bound once.
+class AnswerChecks {
+ public:
+  AnswerChecks(const HardCase& hard_case, const CaseBatch& input)
+      : triangle_(triangle_of(hard_case)), checker_(input) {}
+
+  PromiseCheck of(const Promise& promise, const PolygonView& answer) {
+    auto known = std::ranges::find_if(
+        by_bound_, [&](const auto& c) { return is_same_bound(c.first, promise); });
+    if (known == by_bound_.end()) {
+      known = by_bound_.emplace(known, promise, JudgedOnce<PromiseCheck>());
+    }
+    return known->second.of(answer, [&] { return checker_.check(promise, triangle_, answer); });
+  }
+
+ private:
+  const reference::InputTriangle triangle_;
+  const PromiseChecker checker_;
+  std::vector<std::pair<Promise, JudgedOnce<PromiseCheck>>> by_bound_;
+};
+
+PromiseCheck check_answer(const Contestant& contestant, const CaseBatch& input,
+                          AnswerChecks& checks, const PolygonView& answer) {
+  PromiseCheck check = checks.of(contestant.promise, answer);
   const std::string reason = broken_bits(contestant, input);
   if (!reason.empty()) {
     check.verdict = PromiseVerdict::broken;
@@ -36,7 +58,8 @@ PromiseCheck check_answer(const Contestant& contestant, const HardCase& hard_cas
 std::vector<CaseVerdict> judge(const HardCase& hard_case, const Contestants& contestants) {
   const TruthPolygon truth = truth_polygon(hard_case);
   const CaseBatch input(hard_case);
-  const PromiseChecker checker(input);
+  std::optional<AnswerChecks> checks;
+  if (hard_case.primitive == Primitive::triangle) checks.emplace(hard_case, input);
   std::vector<CaseVerdict> verdicts;
   std::deque<Answers> answers;  // polygons refer to them
   JudgedOnce<Comparison> comparisons;
@@ -49,9 +72,7 @@ std::vector<CaseVerdict> judge(const HardCase& hard_case, const Contestants& con
     }
     const PolygonView polygon = answers.emplace_back(clip(*contestant, input))[0];
     verdict.comparison = comparisons.of(polygon, [&] { return compare(polygon, truth); });
-    if (hard_case.primitive == Primitive::triangle) {
-      verdict.promise = check_answer(*contestant, hard_case, input, checker, polygon);
-    }
+    if (checks) verdict.promise = check_answer(*contestant, input, *checks, polygon);
   }
   return verdicts;
 }
@@ -149,7 +170,8 @@ PromiseCheck check_case(const Contestant& contestant, const HardCase& hard_case)
   const CaseBatch input(hard_case);
   if (!contestant.takes(input)) return {PromiseVerdict::outside_domain, 0, ""};
   const Answers answers = clip(contestant, input);
-  return check_answer(contestant, hard_case, input, PromiseChecker(input), answers[0]);
+  AnswerChecks checks(hard_case, input);
+  return check_answer(contestant, input, checks, answers[0]);
 }
 
 TruthPolygon truth_polygon(const HardCase& hard_case) {

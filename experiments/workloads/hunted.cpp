@@ -54,7 +54,6 @@ class Lines {
     for (int i = 1; i < kTries && !is_another(changed, line.call); ++i) changed = change(line.call);
     const double error = is_another(changed, line.call) ? error_(changed) : 0;
     if (!(error > line.error)) return;
-    if (line.is_beginning) changed = labelled(std::move(changed), "hunted");
     line = {.call = std::move(changed), .error = error, .is_beginning = false};
     sort();
   }

@@ -28,7 +28,7 @@ struct HuntedOptions {
 };
 
 struct HuntedDraw {
-  DrawCall call;     // "name (hunted)" if it isn't the beginning
+  DrawCall call;     // called as its beginning
   double error = 0;  // by the measure
   bool is_beginning = true;
 

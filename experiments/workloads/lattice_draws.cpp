@@ -69,35 +69,77 @@ std::vector<int> signs_of_w(const LatticeStratum& s, Random& random) {
   return signs;
 }
 
+// Whole numbers over `parts`; x, y and z up to `most`, |w| up to `most_w`.
+struct Grid {
+  int most = 2, most_w = 3, parts = 1;
+};
+
+Grid grid_of(LatticeNumbers numbers, Random& random) {
+  if (numbers != LatticeNumbers::larger) return {};
+  if (random.chance(0.5)) return {.most = 9, .most_w = 5};
+  return {.parts = 1 << integer(1, 2, random)};
+}
+
 std::array<float, 4> lattice_point(int sign, LatticeNumbers numbers, Random& random) {
-  const bool is_large = numbers == LatticeNumbers::large;
-  const int most = is_large ? 9 : 2, most_w = is_large ? 5 : 3;
-  const int parts = numbers == LatticeNumbers::halves ? 1 << integer(1, 2, random) : 1;
+  const Grid grid = grid_of(numbers, random);
+  const int most = grid.most * grid.parts;
+  const auto over_parts = [&](int n) {
+    return static_cast<float>(n) / static_cast<float>(grid.parts);
+  };
   std::array<float, 4> p;
-  for (std::size_t i = 0; i < 3; ++i) {
-    p[i] = static_cast<float>(integer(-most * parts, most * parts, random)) /
-           static_cast<float>(parts);
-  }
-  const int w = integer(1, most_w * parts, random);
-  p[3] = static_cast<float>(sign * w) / static_cast<float>(parts);
+  for (std::size_t i = 0; i < 3; ++i) p[i] = over_parts(integer(-most, most, random));
+  p[3] = over_parts(sign * integer(1, grid.most_w * grid.parts, random));
   return p;
 }
 
-void scale(std::array<float, 4>& point, int power) {
+void scale_point(std::array<float, 4>& point, int power) {
   for (float& x : point) x = std::ldexp(x, power);
+}
+
+void scale_some(Positions& positions, Random& random) {
+  if (random.chance(0.5)) {
+    scale_point(positions[random.below(positions.size())], integer(-12, 12, random));
+    return;
+  }
+  const int power = integer(-60, 28, random);
+  for (std::array<float, 4>& p : positions) scale_point(p, power);
+}
+
+// All coordinates of two vertices, or their x or y alone: an edge that is short, or nearly level.
+void bring_close(Positions& positions, Random& random) {
+  if (positions.size() < 2) return;
+  random.shuffle(std::span(positions));
+  std::array<float, 4>& moved = positions[0];
+  const std::array<float, 4>& other = positions[1];
+  const bool is_short = random.chance(0.5);
+  const std::size_t axis = random.below(is_short ? 3 : 2);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (is_short || i == axis) moved[i] = other[i];
+  }
+  if (moved[3] * other[3] > 0) moved[3] = other[3];  // else its sign is the stratum's
+  const double sign = random.sign();
+  moved[axis] += static_cast<float>(std::ldexp(sign, integer(-12, -3, random)));
 }
 
 void change_numbers(Positions& positions, LatticeNumbers numbers, Random& random) {
   std::array<float, 4>& one = positions[random.below(positions.size())];
-  if (numbers == LatticeNumbers::vertex_scaled) {
-    scale(one, integer(-12, 12, random));
-  } else if (numbers == LatticeNumbers::all_scaled) {
-    const int power = integer(-20, 20, random);
-    for (std::array<float, 4>& p : positions) scale(p, power);
-  } else if (numbers == LatticeNumbers::far_vertex) {
-    float& x = one[random.below(3)];
+  float& x = one[random.below(3)];
+  const auto keep_off_zero = [&] {
     if (x == 0) x = static_cast<float>(random.sign());
-    x = std::ldexp(x, integer(10, 24, random));
+  };
+  switch (numbers) {
+    case LatticeNumbers::small:
+    case LatticeNumbers::larger: break;
+    case LatticeNumbers::scaled: return scale_some(positions, random);
+    case LatticeNumbers::far_vertex:
+      keep_off_zero();
+      x = std::ldexp(x, integer(10, 24, random));
+      break;
+    case LatticeNumbers::small_w:
+      keep_off_zero();
+      one[3] = std::ldexp(one[3], integer(-24, -4, random));
+      break;
+    case LatticeNumbers::close_vertices: return bring_close(positions, random);
   }
 }
 
@@ -121,18 +163,29 @@ bool is_visible(const Positions& positions, DepthRange depth) {
 
 Positions positions_of(const LatticeStratum& s, DepthRange depth, Random& random) {
   constexpr int kTries = 8;
+  const int tries = s.primitive == 1 && random.chance(0.5) ? 1 : kTries;
   Positions positions = some_positions(s, random);
-  for (int i = 1; i < kTries && !is_visible(positions, depth); ++i) {
+  for (int i = 1; i < tries && !is_visible(positions, depth); ++i) {
     positions = some_positions(s, random);
   }
   return positions;
 }
 
+// To the nearest point of the volume with the same w > 0.
+void bring_inside(DrawCall& call) {
+  for (DrawVertex& v : call.vertices) {
+    const float w = v.position[3];
+    for (std::size_t i = 0; i < 3; ++i) v.position[i] = std::clamp(v.position[i], -w, w);
+  }
+}
+
+// Half of those in front of the eye are brought inside: then the common edge is all visible.
 void make_strip(DrawCall& call, const LatticeStratum& s, Random& random) {
   const int sign = s.signs == WSigns::none_in_front ? -1 : 1;
   call.topology = s.primitive == 3 ? Topology::triangle_strip : Topology::line_strip;
   call.vertices.push_back({.position = lattice_point(sign, s.numbers, random),
                            .varying = varying_of(call.vertices.size())});
+  if (s.signs == WSigns::in_front && random.chance(0.5)) bring_inside(call);
 }
 
 void make_other_provoking(DrawCall& call) {
@@ -142,18 +195,22 @@ void make_other_provoking(DrawCall& call) {
   if (call.vertices.size() == 3) call.indices.insert(call.indices.begin(), 2);
 }
 
-void set_large_viewport(DrawCall& call, const DriverInfo& info, Random& random) {
-  const int large = std::min(kLargeViewport, info.max_size);
-  const int offset =
-      std::array{0, (kSmallTarget - large) / 2, kSmallTarget - large}[random.below(3)];
-  call.viewport = {offset, offset, large, large};
-}
-
-void set_one_quantity(DrawCall& call, Random& random) {
+// gl_PrimitiveID says something where there are two.
+void set_one_quantity(DrawCall& call, const LatticeStratum& s, Random& random) {
   constexpr std::array kOnes = {
       Quantity::smooth, Quantity::noperspective, Quantity::flat, Quantity::frag_coord,
       Quantity::facing, Quantity::primitive_id,  Quantity::depth};
-  call.quantities = Quantities().set(bit(kOnes[random.below(kOnes.size())]));
+  const Quantity one = kOnes[random.below(kOnes.size())];
+  call.quantities = Quantities().set(bit(one));
+  if (one == Quantity::primitive_id && s.primitive > 1) make_strip(call, s, random);
+}
+
+// 256 px now and then; 33 px, so that the lines x = 0 and y = 0 run through centres of pixels.
+int size_of_target(Random& random) {
+  constexpr int kOdd = 33;
+  const double choice = random.uniform();
+  if (choice < 0.05) return kLargeTarget;
+  return choice < 0.3 ? kOdd : kSmallTarget;
 }
 
 void change_setting(DrawCall& call, const LatticeStratum& s, const DriverInfo& info,
@@ -166,7 +223,7 @@ void change_setting(DrawCall& call, const LatticeStratum& s, const DriverInfo& i
     case LatticeSetting::clip_distances:
       return set_clip_distances(call, integer(1, std::max(1, info.max_clip_distances), random));
     case LatticeSetting::large_viewport: return set_large_viewport(call, info, random);
-    case LatticeSetting::quantity_alone: return set_one_quantity(call, random);
+    case LatticeSetting::quantity_alone: return set_one_quantity(call, s, random);
   }
 }
 
@@ -191,7 +248,8 @@ LatticeStratum lattice_stratum(std::size_t number) {
 DrawCall lattice_draw(std::uint64_t seed, std::size_t number, const DriverInfo& info) {
   const LatticeStratum s = lattice_stratum(number);
   Random random(seed + 0x9e3779b97f4a7c15u * (number + 1));
-  const bool prefers_zero_to_one = random.chance(0.25), is_large = random.chance(0.05);
+  const bool prefers_zero_to_one = random.chance(0.25);
+  const int size = size_of_target(random);
   const bool is_gl = info.minus_one_to_one && !(info.zero_to_one && prefers_zero_to_one);
   const DepthRange depth = is_gl ? DepthRange::minus_one_to_one : DepthRange::zero_to_one;
   const std::string name =
@@ -199,7 +257,7 @@ DrawCall lattice_draw(std::uint64_t seed, std::size_t number, const DriverInfo& 
                   name_of(s.numbers), name_of(s.setting));
   DrawCall call = plain_call(name, topology_of(s), positions_of(s, depth, random), info);
   call.volume.depth = depth;
-  if (is_large) set_size(call, kLargeTarget, kLargeTarget);
+  set_size(call, size, size);
   if (s.primitive == 1) call.point_size = static_cast<float>(integer(1, 16, random));
   change_setting(call, s, info, random);
   return call;

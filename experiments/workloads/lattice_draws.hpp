@@ -4,7 +4,8 @@
 // and a small number is what people can follow by hand.
 //
 // They are drawn at random from strata, in turns: primitive x signs of w x kind of numbers x
-// setting. Of eight tries for a stratum the first is taken that has something visible, if any.
+// setting. Of eight tries for a stratum the first is taken that has something visible, if any; of
+// points, half of which are taken as they come, also a centre outside may show a part of them.
 #pragma once
 
 #include <array>
@@ -29,15 +30,17 @@ constexpr std::array<std::string_view, 6> names_of(WSigns) {
 }
 
 enum class LatticeNumbers : std::uint8_t {
-  small,          // x, y, z in -2 ... 2, w in -3 ... 3
-  large,          // x, y, z in -9 ... 9, w in -5 ... 5
-  halves,         // multiples of 1/2 and 1/4
-  vertex_scaled,  // one vertex times 2^k, |k| <= 12
-  all_scaled,     // all vertices times 2^k, |k| <= 20
-  far_vertex      // x, y or z of one vertex times 2^10 ... 2^24
+  small,       // x, y, z in -2 ... 2, w in -3 ... 3
+  larger,      // x, y, z in -9 ... 9, w in -5 ... 5; or multiples of 1/2 and 1/4
+  scaled,      // one vertex times 2^-12 ... 2^12, or all times 2^-60 ... 2^28
+  far_vertex,  // x, y or z of one vertex times 2^10 ... 2^24
+  small_w,     // w of one vertex times 2^-24 ... 2^-4: far away, too, and beside the eye
+  // Two vertices 2^-12 ... 2^-3 apart in one coordinate, alike in all or in w alone: slivers,
+  // short segments, edges nearly level or upright.
+  close_vertices
 };
 constexpr std::array<std::string_view, 6> names_of(LatticeNumbers) {
-  return {"small", "large", "halves", "vertex_scaled", "all_scaled", "far_vertex"};
+  return {"small", "larger", "scaled", "far_vertex", "small_w", "close_vertices"};
 }
 
 enum class LatticeSetting : std::uint8_t {

@@ -68,6 +68,21 @@ void set_size(DrawCall& call, int width, int height) {
   call.viewport = {0, 0, width, height};
 }
 
+void set_large_viewport(DrawCall& call, const DriverInfo& info, Random& random) {
+  constexpr int kFirstPower = 10, kPowers = 5;
+  const int power = kFirstPower + static_cast<int>(random.below(kPowers));
+  const int large = std::min(1 << power, info.max_size);
+  const auto offset = [&](std::uint64_t place, int size) {
+    const int last = size - large;
+    const double anywhere = random.uniform(last, 0);
+    return std::array{0, last / 2, last, static_cast<int>(anywhere)}[place];
+  };
+  const std::uint64_t across = random.below(4);
+  const std::uint64_t up = random.chance(0.5) ? across : random.below(4);
+  const int x = offset(across, call.width), y = offset(up, call.height);
+  call.viewport = {x, y, large, large};
+}
+
 void set_clip_distances(DrawCall& call, int count) {
   call.volume.clip_distances = count;
   call.quantities.set(bit(Quantity::clip_distances));

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "experiments/drawcalls/driver.hpp"
+#include "experiments/scenes/random.hpp"
 
 namespace clipscope::experiments {
 
@@ -38,6 +39,10 @@ DrawCall labelled(DrawCall call, std::string_view label);
 void set_depth_range(DrawCall& call, DepthRange range);
 
 void set_size(DrawCall& call, int width, int height);  // of the target and of the viewport
+
+// A viewport of 2^10 px up to what the driver has, and the target at its first corner, its last, in
+// its middle or anywhere in it, across and up alike or apart.
+void set_large_viewport(DrawCall& call, const DriverInfo& info, Random& random);
 
 // So many clip distances, of clip_distances_of, which are asked for.
 void set_clip_distances(DrawCall& call, int count);

@@ -136,7 +136,11 @@ DrawCall random_draw(std::uint64_t seed, std::size_t number, const DriverInfo& i
       fmt::format("random/{} ({})", number, names_of(kind)[static_cast<std::size_t>(kind)]);
   DrawCall call = plain_call(name, Topology::triangles, {}, info);
   Random random(seed + 0x9e3779b97f4a7c15u * (number + 1));
-  if (random.chance(0.1)) set_size(call, kLargeTarget, kLargeTarget);
+  if (random.chance(0.1)) {
+    set_size(call, kLargeTarget, kLargeTarget);
+  } else if (random.chance(0.1)) {
+    set_large_viewport(call, info, random);
+  }
   switch (kind) {
     case RandomKind::triangle: make_prey(call, 3, random); break;
     case RandomKind::edge_pair: make_edge_pair(call, random); break;

@@ -6,6 +6,7 @@
 
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/scenes/builtin.hpp"
+#include "experiments/scenes/camera.hpp"
 #include "experiments/workloads/forms.hpp"
 #include "experiments/workloads/lattice_draws.hpp"
 #include "experiments/workloads/plain_call.hpp"
@@ -27,6 +28,9 @@ class Workload {
     for (std::size_t i = 0; i < options_.lattice; ++i) add(lattice_draw(options_.seed, i, info_));
     for (std::size_t i = 0; i < options_.random; ++i) add(random_draw(options_.seed, i, info_));
     if (options_.scenes) add_scenes();
+    if (!options_.scene.empty()) {
+      add_scene(load_scene(options_.scene, {.seed = options_.seed}, CameraOptions{}));
+    }
     return std::move(left_out_);
   }
 
@@ -38,12 +42,14 @@ class Workload {
   }
 
   void add_scenes() {
+    const SceneOptions options{.seed = options_.seed, .quick = true};
     for (const SceneInfo& scene : builtin_scenes()) {
-      const SceneOptions options{.seed = options_.seed, .quick = true};
-      for (DrawCall& call : scene_draws(make_builtin_scene(scene.name, options), info_)) {
-        add(std::move(call));
-      }
+      add_scene(make_builtin_scene(scene.name, options));
     }
+  }
+
+  void add_scene(const Scene& scene) {
+    for (DrawCall& call : scene_draws(scene, info_)) add(std::move(call));
   }
 
   void add(DrawCall call) {

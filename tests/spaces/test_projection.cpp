@@ -95,6 +95,29 @@ TEST_CASE("projection: an oblique one shears x and y by z") {
   CHECK(v[1] == Exact(0));
 }
 
+// Their product is beyond the largest float, below the smallest, or twice it is (far = FLT_MAX, as
+// some have it who want no far plane).
+TEST_CASE("projection: near and far may be such that their product leaves the format") {
+  struct Bounds {
+    float near, far;
+  };
+  for (const auto& [near, far] :
+       {Bounds{0x1p+64f, 0x1.8p+66f}, Bounds{0x1.4p-80f, 0x1.8p-77f},
+        Bounds{0x1.02791p-125f, 0x1.04p-123f}, Bounds{1, 0x1.fffffep+127f}}) {
+    for (const DepthRange depth :
+         {DepthRange::minus_one_to_one, DepthRange::zero_to_one, DepthRange::reversed}) {
+      Frustum<float> f;
+      f.near = near;
+      f.far = far;
+      f.depth = depth;
+      const Exact rounded(Projection<float>(f).z.one);
+      const Exact exact = Projection<Exact>(frustum_cast<Exact>(f)).z.one;
+      INFO(near << " " << far);
+      CHECK(abs(Exact(rounded - exact)) <= Exact(abs(exact) * Exact(3 * 0x1.001p-24)));
+    }
+  }
+}
+
 TEST_CASE("projection: a frustum without volume is invalid") {
   Frustum<double> f;
   CHECK(is_valid(f));

@@ -2,10 +2,13 @@
 #include "experiments/backends/gl/context.hpp"
 
 #include <dlfcn.h>
+#include <epoxy/gl.h>
 
+#include <algorithm>
 #include <array>
-#include <cstdio>
+#include <cstdlib>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,14 +20,18 @@ struct Candidate {
   EGLDisplay display;
 };
 
-std::string hex(int number) {
-  std::array<char, 16> text{};
-  std::snprintf(text.data(), text.size(), "0x%04X", static_cast<unsigned>(number));
-  return text.data();
-}
-
+// The errors from EGL_NOT_INITIALIZED on.
 std::string failed(const char* function) {
-  return std::string(function) + " fails (EGL error " + hex(eglGetError()) + ")";
+  constexpr std::array<std::string_view, 14> kNames = {
+      "NOT_INITIALIZED", "BAD_ACCESS",        "BAD_ALLOC",           "BAD_ATTRIBUTE",
+      "BAD_CONFIG",      "BAD_CONTEXT",       "BAD_CURRENT_SURFACE", "BAD_DISPLAY",
+      "BAD_MATCH",       "BAD_NATIVE_PIXMAP", "BAD_NATIVE_WINDOW",   "BAD_PARAMETER",
+      "BAD_SURFACE",     "CONTEXT_LOST"};
+  const EGLint error = eglGetError();
+  const auto place = static_cast<std::size_t>(error - EGL_NOT_INITIALIZED);
+  const std::string name =
+      place < kNames.size() ? "EGL_" + std::string(kNames[place]) : std::to_string(error);
+  return std::string(function) + " fails with " + name;
 }
 
 bool has_client_extension(const char* name) {
@@ -103,26 +110,46 @@ std::string make_current(EGLDisplay display) {
   return eglMakeCurrent(display, surface, surface, context) ? "" : failed("eglMakeCurrent");
 }
 
+// Gives up what make_current made.
+void release(EGLDisplay display) {
+  if (display == EGL_NO_DISPLAY) return;
+  eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglTerminate(display);
+}
+
+// Whether the current context draws by the processor.
+bool is_software() {
+  const GLubyte* text = glGetString(GL_RENDERER);
+  const std::string_view renderer = text == nullptr ? "" : reinterpret_cast<const char*>(text);
+  constexpr std::array<std::string_view, 3> kNames = {"llvmpipe", "softpipe", "swrast"};
+  return std::ranges::any_of(
+      kNames, [&](std::string_view name) { return renderer.find(name) != std::string_view::npos; });
+}
+
 }  // namespace
 
+// Mesa's surfaceless display draws in software where the graphics card has a driver of its maker,
+// which a later display leads to. So software is taken first only where it is asked for.
 Context::Context() {
   require_egl();
+  const bool asks_for_software = std::getenv("LIBGL_ALWAYS_SOFTWARE") != nullptr;
   std::string tried;
-  for (const Candidate& candidate : candidates()) {
-    const std::string reason = make_current(candidate.display);
-    if (reason.empty()) {
-      display_ = candidate.display;
-      return;
+  for (const bool takes_software : {asks_for_software, true}) {
+    tried.clear();
+    for (const Candidate& candidate : candidates()) {
+      std::string reason = make_current(candidate.display);
+      if (reason.empty() && !takes_software && is_software()) reason = "it draws in software";
+      if (reason.empty()) {
+        display_ = candidate.display;
+        return;
+      }
+      release(candidate.display);
+      tried += (tried.empty() ? "" : "; ") + candidate.name + ": " + reason;
     }
-    if (candidate.display != EGL_NO_DISPLAY) eglTerminate(candidate.display);
-    tried += (tried.empty() ? "" : "; ") + candidate.name + ": " + reason;
   }
   throw NoContext("no OpenGL context without a window: " + tried);
 }
 
-Context::~Context() {
-  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  eglTerminate(display_);
-}
+Context::~Context() { release(display_); }
 
 }  // namespace clipscope::experiments

@@ -19,7 +19,8 @@ struct NoContext : std::runtime_error {
 class Context {
  public:
   // The newest core context, 4.6 to 3.3, of the first display that has one: surfaceless
-  // (EGL_MESA_platform_surfaceless), each device (EGL_EXT_platform_device), the default one.
+  // (EGL_MESA_platform_surfaceless), each device (EGL_EXT_platform_device), the default one. One
+  // that draws in software comes after those that don't, unless LIBGL_ALWAYS_SOFTWARE is set.
   // Errors: NoContext.
   Context();
   ~Context();

@@ -58,6 +58,7 @@ GlDriver::GlDriver() : info_(describe_driver()) {
   glDepthFunc(GL_ALWAYS);
   glBlendFunc(GL_ONE, GL_ONE);
   glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
+  check_errors("preparing the context");
 }
 
 GlDriver::~GlDriver() = default;
@@ -97,7 +98,7 @@ void GlDriver::draw_pass(const DrawCall& call, const Pass& pass, Pixels& pixels)
   if (is_point) glUniform1f(glGetUniformLocation(program, "point_size"), call.point_size);
   enable(GL_DEPTH_TEST, pass.has_depth);
   enable(GL_BLEND, pass.adds_up);
-  check_errors("setting the state");
+  check_errors("preparing a pass");
   if (call.indices.empty()) {
     glDrawArrays(mode_of(call.topology), 0, static_cast<GLsizei>(call.vertices.size()));
     check_errors("glDrawArrays");
@@ -118,6 +119,7 @@ Drawn GlDriver::draw(const DrawCall& call) {
     }
     set_state(call);
     upload(call);
+    check_errors("setting the state");
     Pixels pixels{call.width, call.height};
     for (const Pass& pass : passes_of(call)) draw_pass(call, pass, pixels);
     fill_without_distances(call, pixels);

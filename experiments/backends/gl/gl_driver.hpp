@@ -19,7 +19,7 @@ namespace clipscope::experiments {
 // Errors of the API make a draw call refused. A crash is one of the process.
 class GlDriver : public Driver {
  public:
-  // Errors: NoContext.
+  // Errors: NoContext, GlError.
   GlDriver();
   ~GlDriver() override;
 

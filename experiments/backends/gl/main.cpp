@@ -3,6 +3,7 @@
 // clipscope_draw_gl: the process that an OpenGL driver lives in. The program starts it in an
 // environment that leads to one driver, and talks with it as wire.hpp says.
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "experiments/backends/gl/gl_driver.hpp"
@@ -14,7 +15,7 @@ int main() {
   std::string reason;
   try {
     driver = std::make_unique<GlDriver>();
-  } catch (const NoContext& none) {
+  } catch (const std::runtime_error& none) {
     reason = none.what();
   }
   return serve(driver.get(), reason);

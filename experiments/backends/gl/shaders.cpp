@@ -71,7 +71,7 @@ std::vector<Pass> passes_of(const DrawCall& call) {
 }
 
 std::string vertex_shader(const Pass& pass, const ShaderForm& form) {
-  std::string text = "#version 330 core\nlayout(location = 0) in vec4 position;\n";
+  std::string text = form.head + "layout(location = 0) in vec4 position;\n";
   std::string body = "  gl_Position = position;\n";
   const std::string passed_on = varyings(pass, "out");
   if (!passed_on.empty()) text += "layout(location = 1) in vec4 varying_value;\n" + passed_on;
@@ -96,7 +96,7 @@ std::string vertex_shader(const Pass& pass, const ShaderForm& form) {
 }
 
 std::string fragment_shader(const Pass& pass, const ShaderForm& form) {
-  std::string text = "#version 330 core\n" + varyings(pass, "in");
+  std::string text = form.head + varyings(pass, "in");
   if (has(pass, Quantity::clip_distances)) text += distances("in", form);
   std::string body;
   for (std::size_t k = 0; k < pass.outputs.size(); ++k) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The shaders of a pass, in GLSL 3.30: text alone.
+// The shaders of a pass, in GLSL 3.30 or, with another head, GLSL ES 3.00: text alone.
 //
 // A shader declares and reads no more than its outputs need, so that a driver's fault in one
 // quantity spoils no other.
@@ -39,6 +39,7 @@ std::vector<Pass> passes_of(const DrawCall& call);
 struct ShaderForm {
   int clip_distances = 0;
   bool is_point = false;  // the size of points is written: uniform float point_size
+  std::string head = "#version 330 core\n";
 };
 
 // Attributes: 0 position, 1 varying, 2 and 3 clip distances.

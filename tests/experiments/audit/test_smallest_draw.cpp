@@ -4,6 +4,8 @@
 
 #include "experiments/audit/draw_simpler.hpp"
 #include "experiments/audit/smallest_draw.hpp"
+#include "experiments/pixels/judgement.hpp"
+#include "experiments/pixels/own_driver.hpp"
 #include "experiments/workloads/lattice_draws.hpp"
 #include "experiments/workloads/plain_call.hpp"
 #include "experiments/workloads/random_draws.hpp"
@@ -115,6 +117,31 @@ TEST_CASE("smallest draw: no more is asked than the limits say") {
   };
   smallest_draw(random_mesh(RandomKind::grid_mesh), counts, {.asked = 20});
   CHECK(asked == 21);  // and the call itself
+}
+
+TEST_CASE("smallest draw: of a rasteriser with a fault it still shows that fault, and no more") {
+  OwnDriver faulty(RasterFault::noperspective_nan), right;
+  const auto is_not_finite = [](Driver& driver, const DrawCall& call) {
+    const Judgement judgement =
+        judge_pixels(call, std::get<Pixels>(driver.draw(call)), driver.info());
+    return judgement.apart.empty() &&
+           std::ranges::any_of(judgement.violations, [](const Violation& v) {
+             return v.kind == ViolationKind::not_finite;
+           });
+  };
+  std::size_t number = 0;
+  while (lattice_stratum(number).primitive != 3 ||
+         !is_not_finite(faulty, lattice_draw(1, number, faulty.info()))) {
+    ++number;
+  }
+  const DrawCall smallest =
+      smallest_draw(lattice_draw(1, number, faulty.info()),
+                    [&](const DrawCall& call) { return is_not_finite(faulty, call); });
+  CHECK(is_not_finite(faulty, smallest));
+  CHECK_FALSE(is_not_finite(right, smallest));
+  CHECK(smallest.vertices.size() == 3);
+  CHECK(smallest.width <= 8);
+  CHECK(smallest.quantities == Quantities().set(bit(Quantity::noperspective)));
 }
 
 TEST_CASE("draw simpler: a triangle out of a strip keeps its winding and its provoking vertex") {

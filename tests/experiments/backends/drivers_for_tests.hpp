@@ -3,9 +3,12 @@
 // Drivers for tests, which may not be there.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <variant>
 
 #include "experiments/backends/driver_process.hpp"
 #include "experiments/machine/errors.hpp"
@@ -36,6 +39,21 @@ inline DrawCall half_square(int size) {
   call.width = call.height = size;
   call.viewport = {0, 0, size, size};
   return call;
+}
+
+// A failure of the test if the driver draws nothing.
+inline Pixels pixels_of(DriverProcess& driver, const DrawCall& call) {
+  const Drawn drawn = driver.draw(call);
+  const auto* failure = std::get_if<DrawFailure>(&drawn);
+  if (failure) FAIL(failure->reason);
+  return std::get<Pixels>(drawn);
+}
+
+template <std::size_t n>
+std::array<float, n> values_at(const Pixels& pixels, Quantity quantity, int x, int y) {
+  std::array<float, n> values{};
+  for (std::size_t c = 0; c < n; ++c) values[c] = pixels.at(quantity, x, y, c);
+  return values;
 }
 
 }  // namespace clipscope::experiments

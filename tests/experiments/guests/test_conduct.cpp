@@ -11,10 +11,14 @@
 namespace clipscope::experiments {
 namespace {
 
+std::vector<Misconduct> conduct_of(const Contestant& contestant, const Batch& batch) {
+  return conduct(contestant, batch, clip(contestant, batch));
+}
+
 // What is found of 50 triangles of which the one with number 20 is marked: nothing, or that one.
 std::string conduct_of(const char* behaviour) {
   const MarkedBatch triangles(50, 20);
-  const std::vector<Misconduct> found = conduct(misbehaving_guest(behaviour), triangles.batch());
+  const std::vector<Misconduct> found = conduct_of(misbehaving_guest(behaviour), triangles.batch());
   if (found.empty()) return "";
   CHECK(found.size() == 1);
   CHECK(found.front().primitive == 20);
@@ -26,7 +30,7 @@ std::string conduct_of(const char* behaviour) {
 TEST_CASE("conduct: who answers alike always is found innocent") {
   CHECK(conduct_of("none").empty());
   const MarkedBatch triangles(50, 20);
-  CHECK(conduct(find_contestant("textbook", "float"), triangles.batch()).empty());
+  CHECK(conduct_of(find_contestant("textbook", "float"), triangles.batch()).empty());
 }
 
 TEST_CASE("conduct: an answer that depends on earlier calls is found") {
@@ -53,7 +57,7 @@ TEST_CASE("conduct: a race between two threads is found") {
     numbers.insert(numbers.end(), {kMarker, y, 0, 1, 1, 0, 0, 1, 0, 1, 0, 1});
   }
   const Batch batch{.space = Space::clip, .numbers = std::span<const float>(numbers)};
-  const auto found = conduct(misbehaving_guest("races"), batch);
+  const auto found = conduct_of(misbehaving_guest("races"), batch);
   REQUIRE(!found.empty());
   CHECK(found.front().reason == "answers otherwise in two threads at once");
 }

@@ -208,3 +208,74 @@ TEST_CASE("promise: floats that are merely good are not correctly rounded") {
   }
   CHECK(broken > 50);
 }
+
+namespace {
+
+// Of the answer of a chain in float, which must not break its promise.
+PromiseVerdict verdict_in(const Frustum<float>& frustum, const SceneTriangle& triangle) {
+  View view;
+  view.frustum = frustum;
+  const Batch batch = batch_of(view, {&triangle, 1});
+  const Contestant& clipper = find_contestant("homogeneous/sutherland_hodgman", "float");
+  const PromiseCheck result = PromiseChecker(batch).check(
+      clipper.promise, reference::input_triangle(triangle), clip(clipper, batch)[0]);
+  INFO(result.reason);
+  CHECK(result.verdict != PromiseVerdict::broken);
+  return result.verdict;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "promise: it speaks of small frusta as long as what they need are normal numbers, and is kept") {
+  SceneTriangle triangle{};
+  triangle[0].position = {0, 0, -0x1p-75f};
+  triangle[1].position = {0x1.8p-19f, 0, -0x1p-75f};
+  triangle[2].position = {0, 0x1p-21f, -0x1p-75f};
+  const Frustum<float> small{.left = -0x1p-21f,  // near far is no normal number
+                             .right = 0x1p-21f,
+                             .bottom = -0x1p-21f,
+                             .top = 0x1p-21f,
+                             .near = 0x1p-76f,
+                             .far = 0x1.8p-74f,
+                             .depth = DepthRange::reversed};
+  CHECK(verdict_in(small, triangle) == PromiseVerdict::kept);
+  Frustum<float> wide = small;
+  wide.right = 0x1p+60f;  // 2 near / (right - left) is none
+  CHECK(verdict_in(wide, triangle) == PromiseVerdict::outside_domain);
+  wide.right = 0x1p-10f;  // the square of right / near is beyond all floats
+  CHECK(verdict_in(wide, triangle) == PromiseVerdict::outside_domain);
+  Frustum<float> nearer = small;
+  nearer.near = 0x1p-130f;
+  CHECK(verdict_in(nearer, triangle) == PromiseVerdict::outside_domain);
+  // A side's number times a coordinate is none, on which planes in view space depend.
+  SceneTriangle tiny = straddling();
+  for (auto& v : tiny) {
+    for (int i = 0; i < 3; ++i) v.position[i] *= 0x1p-120f;
+  }
+  const float side = 0x1p-120f;
+  const Frustum<float> narrow{
+      .left = -side, .right = side, .bottom = -side, .top = side, .near = side, .far = 8 * side};
+  CHECK(verdict_in(narrow, tiny) == PromiseVerdict::outside_domain);
+}
+
+TEST_CASE("promise: it speaks of frusta up to the largest floats, but not of sums beyond them") {
+  const SceneTriangle triangle = straddling();
+  CHECK(verdict_in({.far = 0x1.fffffep+127f}, triangle) == PromiseVerdict::kept);
+  CHECK(verdict_in({.near = 0x1p+110f, .far = 0x1.fffffep+127f}, triangle) ==
+        PromiseVerdict::outside_domain);
+  CHECK(verdict_in({.left = -0x1p+127f, .right = 0x1.8p+127f}, triangle) ==
+        PromiseVerdict::outside_domain);
+}
+
+// Subnormal numbers have fewer bits than others: the bound has a smallest number beside u M.
+TEST_CASE("promise: an attribute may be off by as many of the smallest numbers, not more") {
+  SceneTriangle triangle = straddling();
+  for (std::size_t i = 0; i < 3; ++i) triangle[i].attributes[static_cast<int>(i)] = 0x1p-140f;
+  Vertices answer = clipped_by("homogeneous/sutherland_hodgman", triangle);
+  CHECK(check(kFull, answer, triangle).verdict == PromiseVerdict::kept);
+  answer[1].attributes[3] += 60 * 0x1p-149f;
+  CHECK(check(kFull, answer, triangle).verdict == PromiseVerdict::kept);
+  answer[1].attributes[3] += 60 * 0x1p-149f;
+  CHECK(check(kFull, answer, triangle).verdict == PromiseVerdict::broken);
+}

@@ -141,3 +141,13 @@ TEST_CASE("paper: what the run has not is named") {
       paper.file(R"({"values": [{"name": "V", "table": "none", "column": "ns"}]})", "values.tex"),
       Catch::Contains("table none is not among the results"));
 }
+
+TEST_CASE("paper: what a run may not have is left out, or something else in its place") {
+  const Paper paper;
+  const std::string none = R"("columns": {"ns": "ns"}, "where": {"mix": "gone"})";
+  CHECK_THROWS_WITH(paper.table(none), Catch::Contains("no row matches"));
+  CHECK(paper.table(none + R"(, "else": "\\emph{none}")") == "\\emph{none}");
+  CHECK(paper.file(R"({"figures": [{"if_there": "nowhere.png"}]})", "nowhere.png").empty());
+  CHECK_THROWS_WITH(paper.file(R"({"figures": ["nowhere.png"]})", "nowhere.png"),
+                    Catch::Contains("figure nowhere.png is not among the results"));
+}

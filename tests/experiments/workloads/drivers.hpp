@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Drivers by what they say of themselves.
+// Drivers by what they say of themselves, and what they are given to draw.
 #pragma once
 
-#include "experiments/drawcalls/driver.hpp"
+#include <vector>
+
+#include "experiments/workloads/workload.hpp"
 
 namespace clipscope::experiments {
 
@@ -32,6 +34,12 @@ inline DriverInfo poor_driver() {
     info.quantities.set(bit(q));
   }
   return info;
+}
+
+inline std::vector<DrawCall> draws(const WorkloadOptions& options, const DriverInfo& info) {
+  std::vector<DrawCall> all;
+  for_each_draw_call(options, info, [&](const DrawCall& call) { all.push_back(call); });
+  return all;
 }
 
 }  // namespace clipscope::experiments

@@ -18,12 +18,6 @@ namespace {
 
 const WorkloadOptions kFew{.lattice = 600, .random = 80, .scenes = false};
 
-std::vector<DrawCall> draws(const WorkloadOptions& options, const DriverInfo& info) {
-  std::vector<DrawCall> all;
-  for_each_draw_call(options, info, [&](const DrawCall& call) { all.push_back(call); });
-  return all;
-}
-
 }  // namespace
 
 TEST_CASE("workload: the same options make the same draw calls") {
@@ -87,6 +81,21 @@ TEST_CASE("workload: a file of cases needs no expected outcome, and comes first"
   CHECK(draws(options, able_driver()).front().name == "workload/given");
   std::filesystem::remove(file);
   CHECK_THROWS_AS(draws(options, able_driver()), InputError);
+}
+
+TEST_CASE("workload: a camera walks through a mesh file, and what it cuts is drawn") {
+  const std::filesystem::path file = "workload.obj";
+  std::ofstream(file) << "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 1\n"
+                         "f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n";
+  const WorkloadOptions options{
+      .lattice = 0, .random = 0, .catalogue = false, .scenes = false, .scene = file.string()};
+  const std::vector<DrawCall> all = draws(options, able_driver());
+  std::filesystem::remove(file);
+  CHECK(all.size() >= 3);  // of six views, two of which see all of it
+  for (const DrawCall& call : all) {
+    CHECK(call.vertices.size() == 4);
+    CHECK(primitives_of(call).size() == 4);
+  }
 }
 
 TEST_CASE("lattice: 500 draw calls are of all strata") {

@@ -59,8 +59,9 @@ std::string draw_text(const DrawCall& call, std::size_t most_vertices) {
 
 std::string pixel_text(const Violation& violation) {
   const WorstPixel& worst = violation.worst;
-  return fmt::format("pixel ({}, {}) is {:.9g}, exact {:.9g}", worst.x, worst.y, worst.returned,
-                     worst.exact);
+  const std::string returned =
+      std::isnan(worst.returned) ? "NaN" : fmt::format("{:.9g}", worst.returned);
+  return fmt::format("pixel ({}, {}) is {}, exact {:.9g}", worst.x, worst.y, returned, worst.exact);
 }
 
 std::string section_text(const Clause& clause) {

@@ -284,7 +284,7 @@ class CaseReader {
   void finish() {
     // What is expected was said of the numbers given: without them there is nothing to check.
     if (!is_open_ || !inexact_.empty()) return;
-    for (const char* key : {"source", "why", "primitive", "space"}) {
+    for (const char* key : {"primitive", "space"}) {
       require_of_case(seen_.contains(key), "found no line '{}'; expected one", key);
     }
     check_vertices();

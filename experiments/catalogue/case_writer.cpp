@@ -104,9 +104,11 @@ std::string free_name(const std::vector<HardCase>& cases, const std::string& nam
 }  // namespace
 
 std::string case_text(const HardCase& c) {
-  std::string text =
-      fmt::format("case {}\nsource {}\nwhy {}\nprimitive {}\n{}\n{}", name_in_file(c.name),
-                  c.source, c.why, to_string(c.primitive), space_text(c), volume_lines(c.volume));
+  std::string text = fmt::format("case {}\n", name_in_file(c.name));
+  if (!c.source.empty()) text += fmt::format("source {}\n", c.source);
+  if (!c.why.empty()) text += fmt::format("why {}\n", c.why);
+  text += fmt::format("primitive {}\n{}\n{}", to_string(c.primitive), space_text(c),
+                      volume_lines(c.volume));
   const int attributes = attributes_to_write(c);
   for (const reference::InputVertex& v : c.vertices) text += vertex_line(c, v, attributes);
   return text + fmt::format("expect {}\n", to_string(exact_outcome(c)));

@@ -166,8 +166,7 @@ void add_workload_options(CLI::App& command, AuditOptions& options) {
 
 void add_audit_command(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(
-      app, action, run_audit, "audit",
-      "Where does a graphics driver violate its specification, and how far is it off?",
+      app, action, run_audit, "audit", "Where does a graphics driver violate its specification?",
       R"(Draws hard cases, small numbers, chance and scenes through the driver, in a process of its own, and
 judges each pixel by exact arithmetic. A violation breaks a sentence of the API's specification,
 beyond all that it leaves open; everything else is legal, and its error is told in ulp. Violations of

@@ -255,6 +255,14 @@ TEST_CASE("catalogue: a mistake is told by file, line, what was found and what w
   }
 }
 
+TEST_CASE("catalogue: a case of one's own needs no source, reason or expectation") {
+  const std::string text = "case a\nprimitive point\nspace clip gl\nvertex 0 0 0 1\n";
+  const std::vector<HardCase> cases = parse_catalogue("own.cases", text);
+  REQUIRE(cases.size() == 1);
+  CHECK(cases[0].expected == ExactOutcome{Verdict::accepted, 1});
+  CHECK(case_text(cases[0]) == text + "expect accepted 1\n");
+}
+
 TEST_CASE("catalogue: a file that isn't there is named") {
   CHECK_THROWS_WITH(load_catalogue("no/such.cases"), Catch::Contains("no/such.cases"));
 }

@@ -138,7 +138,7 @@ TEST_CASE("case picture: names and reasons may hold anything") {
   for (int i = 0; i < 500; ++i) c.why += " word";
   const std::string svg = svg_of(picture_by(c, "cvv/naive"));
   CHECK(is_well_formed(svg));
-  CHECK(svg.find("<title>a/&lt;b&gt;&amp;\"c\" ??: ") != std::string::npos);
+  CHECK(svg.find("<title>a/&lt;b&gt;&amp;&quot;c&quot; ??: ") != std::string::npos);
 }
 
 TEST_CASE("case picture: the extension decides the format, others are refused") {

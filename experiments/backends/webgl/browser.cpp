@@ -15,6 +15,8 @@
 #include <sstream>
 #include <utility>
 
+#include "experiments/table/json_text.hpp"
+
 namespace clipscope::experiments {
 namespace {
 
@@ -156,7 +158,7 @@ json Browser::receive() {
 json Browser::call(std::string_view method, json parameters) {
   json order = {{"id", ++last_id_}, {"method", method}, {"params", std::move(parameters)}};
   if (!session_.empty()) order["sessionId"] = session_;
-  const std::string text = order.dump() + '\0';
+  const std::string text = json_text(order) + '\0';
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t written = write(commands_.number(), text.data() + done, text.size() - done);
     if (written < 0 && errno != EINTR) throw NoBrowser(kEnded);

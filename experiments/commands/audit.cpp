@@ -43,10 +43,10 @@ DriverSource source_of(const AuditOptions& options) {
                              : driver_source_of_icd(options.icd, options.seconds);
 }
 
-// With cases given these alone are drawn, unless more is asked for.
+// Cases or a scene that are given are drawn alone, unless more is asked for.
 WorkloadOptions workload_of(const AuditOptions& options) {
   WorkloadOptions workload = options.workload;
-  if (!workload.cases.empty()) {
+  if (!workload.cases.empty() || !workload.scene.empty()) {
     workload.catalogue = workload.scenes = false;
     workload.lattice = workload.random = 0;
   }
@@ -75,6 +75,7 @@ std::string whole_command(const DriverSource& source, const AuditOptions& option
       fmt::format("clipscope audit {} --lattice {} --random {} --seed {}", source.options,
                   workload.lattice, workload.random, workload.seed);
   if (!workload.cases.empty()) command += " --cases " + shell_word(workload.cases.string());
+  if (!workload.scene.empty()) command += " --scene " + shell_word(workload.scene);
   if (workload.size > 0) command += fmt::format(" --size {}", workload.size);
   return command;
 }
@@ -148,6 +149,8 @@ void add_workload_options(CLI::App& command, AuditOptions& options) {
   add_option(
       command, "--cases", workload.cases, "FILE",
       "Of a corpus file, or folder of them, all cases in every form, and nothing else; `expect` may be left out");
+  add_option(command, "--scene", workload.scene, "FILE",
+             "Of a mesh file what a camera sees that walks through it, and nothing else");
   add_option(command, "--size", workload.size, "N",
              "Of all targets, in px [32, of some draw calls 256]")
       ->check(CLI::Range(1, 16384));
@@ -174,6 +177,7 @@ one kind in one quantity and in the same circumstances are one finding, shrunk t
 Examples:
   clipscope audit --driver llvmpipe --out audit_llvmpipe
   clipscope audit --driver softpipe --cases mine.cases --json
+  clipscope audit --driver llvmpipe --scene bunny.obj
   clipscope audit --icd /usr/share/vulkan/icd.d/lvp_icd.x86_64.json --junit audit.xml
   clipscope audit --driver own/near_unclipped     a driver with a fault that is known
   clipscope diff audit_llvmpipe audit_softpipe    two drivers, or two versions, compared

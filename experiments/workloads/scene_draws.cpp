@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <span>
 #include <utility>
@@ -49,19 +50,23 @@ bool is_cut(const Corners& corners, DepthRange depth) {
   return any != 0 && all == 0;
 }
 
-// The first triangle of the chunk with the most that are cut, and how many they are.
-std::pair<std::size_t, std::size_t> richest_chunk(const std::vector<Corners>& triangles,
-                                                  DepthRange depth) {
-  std::pair<std::size_t, std::size_t> richest = {0, 0};
+struct Chunk {
+  std::size_t first = 0, end = 0;  // triangles
+  std::ptrdiff_t cut = 0;          // how many of them
+};
+
+// Those in which something is cut, the most first.
+std::vector<Chunk> cut_chunks(const std::vector<Corners>& triangles, DepthRange depth) {
+  std::vector<Chunk> chunks;
   for (std::size_t first = 0; first < triangles.size(); first += kChunkTriangles) {
-    const std::size_t end = std::min(first + kChunkTriangles, triangles.size());
-    const auto count = static_cast<std::size_t>(
-        std::count_if(triangles.begin() + static_cast<std::ptrdiff_t>(first),
-                      triangles.begin() + static_cast<std::ptrdiff_t>(end),
-                      [depth](const Corners& t) { return is_cut(t, depth); }));
-    if (count > richest.second) richest = {first, count};
+    Chunk chunk{first, std::min(first + kChunkTriangles, triangles.size())};
+    chunk.cut = std::count_if(triangles.begin() + static_cast<std::ptrdiff_t>(chunk.first),
+                              triangles.begin() + static_cast<std::ptrdiff_t>(chunk.end),
+                              [depth](const Corners& t) { return is_cut(t, depth); });
+    if (chunk.cut > 0) chunks.push_back(chunk);
   }
-  return richest;
+  std::ranges::stable_sort(chunks, std::greater<>(), &Chunk::cut);
+  return chunks;
 }
 
 // Triangles [first, end) of the mesh, each of its vertices once.
@@ -82,21 +87,22 @@ void add_chunk(DrawCall& call, const Mesh& mesh, const std::vector<Corners>& tri
 
 }  // namespace
 
-std::vector<DrawCall> scene_draws(const Scene& scene, const DriverInfo& info) {
+std::vector<DrawCall> scene_draws(const Scene& scene, const DriverInfo& info, std::size_t most) {
   std::vector<DrawCall> calls;
   for (View view : scene.views) {
     const DrawCall plain = plain_call("", Topology::triangles, {}, info);
     view.frustum.depth = plain.volume.depth;
     const std::vector<Corners> triangles = clip_triangles(scene, view);
-    const auto [first, count] = richest_chunk(triangles, view.frustum.depth);
-    if (count == 0) continue;
-    const std::size_t end = std::min(first + kChunkTriangles, triangles.size());
-    DrawCall call = plain;
-    call.name =
-        fmt::format("scene/{} ({}, triangles {} to {})", scene.name, view.label, first, end - 1);
-    set_size(call, kLargeTarget, kLargeTarget);
-    add_chunk(call, scene.mesh, triangles, first, end);
-    if (is_finite(call)) calls.push_back(std::move(call));
+    std::vector<Chunk> chunks = cut_chunks(triangles, view.frustum.depth);
+    chunks.resize(std::min(chunks.size(), most));
+    for (const Chunk& chunk : chunks) {
+      DrawCall call = plain;
+      call.name = fmt::format("scene/{} ({}, triangles {} to {})", scene.name, view.label,
+                              chunk.first, chunk.end - 1);
+      set_size(call, kLargeTarget, kLargeTarget);
+      add_chunk(call, scene.mesh, triangles, chunk.first, chunk.end);
+      if (is_finite(call)) calls.push_back(std::move(call));
+    }
   }
   return calls;
 }

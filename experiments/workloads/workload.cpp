@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/workloads/workload.hpp"
 
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,8 @@
 namespace clipscope::experiments {
 namespace {
 
+constexpr std::size_t kAllChunks = std::numeric_limits<std::size_t>::max();
+
 class Workload {
  public:
   Workload(const WorkloadOptions& options, const DriverInfo& info,
@@ -29,7 +32,7 @@ class Workload {
     for (std::size_t i = 0; i < options_.random; ++i) add(random_draw(options_.seed, i, info_));
     if (options_.scenes) add_scenes();
     if (!options_.scene.empty()) {
-      add_scene(load_scene(options_.scene, {.seed = options_.seed}, CameraOptions{}));
+      add_scene(load_scene(options_.scene, {.seed = options_.seed}, CameraOptions{}), kAllChunks);
     }
     return std::move(left_out_);
   }
@@ -44,12 +47,12 @@ class Workload {
   void add_scenes() {
     const SceneOptions options{.seed = options_.seed, .quick = true};
     for (const SceneInfo& scene : builtin_scenes()) {
-      add_scene(make_builtin_scene(scene.name, options));
+      add_scene(make_builtin_scene(scene.name, options), 1);
     }
   }
 
-  void add_scene(const Scene& scene) {
-    for (DrawCall& call : scene_draws(scene, info_)) add(std::move(call));
+  void add_scene(const Scene& scene, std::size_t most_chunks) {
+    for (DrawCall& call : scene_draws(scene, info_, most_chunks)) add(std::move(call));
   }
 
   void add(DrawCall call) {

@@ -18,8 +18,10 @@
 namespace clipscope::experiments::drivers {
 namespace {
 
-// Draw calls of each driver: some need 40 ms for one. `clipscope audit` draws them all.
-constexpr std::size_t kQuickCalls = 120, kCalls = 1500;
+// Draw calls of each driver, and what shrinking one finding may take: some drivers need 40 ms for a
+// draw call. `clipscope audit` draws them all.
+constexpr std::size_t kQuickCalls = 120, kCalls = 500;
+constexpr double kSecondsToShrink = 3;
 
 struct Tables {
   TableOf<DriverRow> drivers;
@@ -59,7 +61,7 @@ void draw_findings(const ExperimentContext& context, const DriverSource& source,
 }
 
 AuditLimits limits_of(const Selection& selection) {
-  return {.shrinks = !selection.quick, .seed = selection.seed};
+  return {.shrinks = !selection.quick, .seconds_each = kSecondsToShrink, .seed = selection.seed};
 }
 
 void audit_one(const ExperimentContext& context, const DriverSource& source, Tables& tables,

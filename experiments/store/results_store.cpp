@@ -18,6 +18,20 @@ std::filesystem::path store_of(const std::filesystem::path& file_or_folder) {
                                                                 : file_or_folder;
 }
 
+void require_table(const ResultsStore& store, const std::filesystem::path& file,
+                   const std::string& name) {
+  if (store.has_table(name)) return;
+  std::vector<std::string> names;
+  for (const StoredTable& table : store.tables()) names.push_back(table.name);
+  // A damaged index does not find what a look at every row does.
+  if (std::ranges::find(names, name) != names.end()) {
+    throw InputError(fmt::format("{}: is damaged: it lists the table '{}', which can't be found",
+                                 file.string(), name));
+  }
+  throw UsageError(fmt::format("{}: has no table '{}'; it has: {}", file.string(), name,
+                               fmt::join(names, ", ")));
+}
+
 }  // namespace
 
 std::string value_of(const RunInfo& info, const std::string& key) {
@@ -66,12 +80,7 @@ std::vector<Column> ResultsStore::columns(const std::string& table_name) const {
 }
 
 Table ResultsStore::table(const std::string& name) const {
-  if (!has_table(name)) {
-    std::vector<std::string> names;
-    for (const StoredTable& table : tables()) names.push_back(table.name);
-    throw UsageError(fmt::format("{}: has no table '{}'; it has: {}", file_.string(), name,
-                                 fmt::join(names, ", ")));
-  }
+  require_table(*this, file_, name);
   const char* titles = "SELECT name, title FROM result_table WHERE name = ?";
   const auto [stored_name, title] = read<RunInfo::value_type, 2>(titles, {name}).front();
   Table table(stored_name, title, columns(name));

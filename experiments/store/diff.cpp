@@ -111,7 +111,10 @@ std::optional<bool> are_apart(const Row& a, const Row& b, const Shared& low, con
   const auto a_low = number_of(a[low.a]), a_high = number_of(a[high.a]);
   const auto b_low = number_of(b[low.b]), b_high = number_of(b[high.b]);
   if (!a_low || !a_high || !b_low || !b_high) return std::nullopt;
-  return *a_high < *b_low || *b_high < *a_low;
+  // A strange file may have the ends of an interval exchanged.
+  const auto [a_least, a_most] = std::minmax(*a_low, *a_high);
+  const auto [b_least, b_most] = std::minmax(*b_low, *b_high);
+  return a_most < b_least || b_most < a_least;
 }
 
 // name: of the row.

@@ -46,6 +46,8 @@ std::filesystem::path folder_of(const std::string& driver) {
   return std::filesystem::path("findings") / driver;
 }
 
+bool shows_findings(const Selection& selection) { return selection.pictures || !selection.quick; }
+
 // As findings/DRIVER/STEM/picture.png.
 void draw_findings(const ExperimentContext& context, const DriverSource& source,
                    DriverPool& drivers, const Audit& audit, PieceRecord& record) {
@@ -74,13 +76,13 @@ void audit_one(const ExperimentContext& context, const DriverSource& source, Tab
   for (const DriverClassRow& row : class_rows(audit)) tables.classes.add(row);
   for (const QuantityRow& row : quantity_rows(audit)) tables.quantities.add({audit.driver, row});
   for (const FindingRow& row : finding_rows(audit)) tables.findings.add({audit.driver, row});
-  if (selection.pictures) draw_findings(context, source, drivers, audit, record);
+  if (shows_findings(selection)) draw_findings(context, source, drivers, audit, record);
 }
 
 // The picture that a paper shows.
 void show_gravest(const ExperimentContext& context, const std::vector<DriverFindingRow>& findings) {
   const DriverFindingRow* const row = gravest(findings);
-  if (row == nullptr || !context.selection().pictures) return;
+  if (row == nullptr || !shows_findings(context.selection())) return;
   const auto picture = folder_of(row->driver) / file_stem(row->row.what()) / kPictureFile;
   if (!std::filesystem::exists(context.out() / picture)) return;  // it left no pixels
   write_file(context.out() / "drivers_gravest.png", read_bytes(context.out() / picture));

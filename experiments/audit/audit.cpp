@@ -124,18 +124,13 @@ void merge_plainer(std::vector<DriverFinding>& findings) {
 // The worst one that is of this kind, in these circumstances.
 std::optional<DrawExample> worst_of(const DrawCall& call, const CallOutcome& outcome,
                                     const FindingKey& key) {
+  const auto* failure = std::get_if<DrawFailure>(&outcome);
   std::optional<DrawExample> worst;
-  const auto take = [&](const Violation& violation, const std::string& reason) {
-    if (key_of(call, violation) != key) return;
-    if (!worst || is_worse(violation, worst->violation)) worst = {call, violation, reason};
-  };
-  if (const auto* failure = std::get_if<DrawFailure>(&outcome)) {
-    if (const auto violation = violation_of(*failure)) take(*violation, failure->reason);
-    return worst;
+  for (const Violation& violation : violations_of(outcome)) {
+    if (key_of(call, violation) != key) continue;
+    if (worst && !is_worse(violation, worst->violation)) continue;
+    worst = {call, violation, failure == nullptr ? "" : failure->reason};
   }
-  const Judgement& judgement = std::get<Judgement>(outcome);
-  if (!judgement.apart.empty()) return std::nullopt;
-  for (const Violation& violation : judgement.violations) take(violation, "");
   return worst;
 }
 

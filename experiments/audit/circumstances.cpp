@@ -26,10 +26,9 @@ bool is_inside(const DrawVertex& vertex, const ClipVolume& volume) {
 }  // namespace
 
 Primitive primitive_of(Topology topology) {
-  switch (topology) {
+  switch (list_of(topology)) {
     case Topology::points: return Primitive::point;
-    case Topology::lines:
-    case Topology::line_strip: return Primitive::segment;
+    case Topology::lines: return Primitive::segment;
     default: return Primitive::triangle;
   }
 }

@@ -2,22 +2,11 @@
 #include "experiments/audit/draw_simpler.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace clipscope::experiments {
 namespace {
-
-Topology list_of(Topology topology) {
-  switch (topology) {
-    case Topology::points: return Topology::points;
-    case Topology::lines:
-    case Topology::line_strip: return Topology::lines;
-    default: return Topology::triangles;
-  }
-}
 
 // Its vertices in the order of a list: a turn that puts the provoking one in its place.
 std::vector<std::uint32_t> as_in_list(const DrawCall& call, std::vector<std::uint32_t> vertices,
@@ -26,10 +15,6 @@ std::vector<std::uint32_t> as_in_list(const DrawCall& call, std::vector<std::uin
   const bool is_last = call.provoking == ProvokingVertex::last;
   std::rotate(vertices.begin(), is_last ? provoking + 1 : provoking, vertices.end());
   return vertices;
-}
-
-bool has_whole_viewport(const DrawCall& call) {
-  return call.viewport == Viewport{0, 0, call.width, call.height};
 }
 
 void set_whole(DrawCall& call, int size) {

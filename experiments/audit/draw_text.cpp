@@ -34,8 +34,8 @@ std::string clamped_text(DepthClamp clamp) {
 
 std::string viewport_text(const DrawCall& call) {
   const Viewport& v = call.viewport;
-  std::string text = fmt::format(", {} x {} px", call.width, call.height);
-  if (v == Viewport{0, 0, call.width, call.height}) return text;
+  const std::string text = fmt::format(", {} x {} px", call.width, call.height);
+  if (has_whole_viewport(call)) return text;
   return text + fmt::format(", viewport {} x {} at ({}, {})", v.width, v.height, v.x, v.y);
 }
 

@@ -55,13 +55,7 @@ double error_of(const Judgement& judgement) {
 // The ways in which the call is violated.
 Keys keys_of(const DrawCall& call, const CallOutcome& outcome) {
   Keys keys;
-  if (const auto* failure = std::get_if<DrawFailure>(&outcome)) {
-    if (const auto violation = violation_of(*failure)) keys.insert(key_of(call, *violation));
-    return keys;
-  }
-  const Judgement& judgement = std::get<Judgement>(outcome);
-  if (!judgement.apart.empty()) return keys;
-  for (const Violation& violation : judgement.violations) keys.insert(key_of(call, violation));
+  for (const Violation& violation : violations_of(outcome)) keys.insert(key_of(call, violation));
   return keys;
 }
 

@@ -26,6 +26,15 @@ std::optional<Violation> violation_of(const DrawFailure& failure) {
   return violation;
 }
 
+std::vector<Violation> violations_of(const CallOutcome& outcome) {
+  if (const auto* failure = std::get_if<DrawFailure>(&outcome)) {
+    const auto violation = violation_of(*failure);
+    return violation ? std::vector{*violation} : std::vector<Violation>();
+  }
+  const Judgement& judgement = std::get<Judgement>(outcome);
+  return judgement.apart.empty() ? judgement.violations : std::vector<Violation>();
+}
+
 FindingKey key_of(const DrawCall& call, const Violation& violation) {
   return {violation.kind, violation.quantity, circumstances_of(call, violation.primitive)};
 }

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "experiments/audit/circumstances.hpp"
 #include "experiments/audit/driver_pool.hpp"
@@ -20,6 +21,9 @@ CallOutcome outcome_of(DriverPool& drivers, const DrawCall& call);
 
 // A crash or a time-out as a violation of the whole draw call; nothing for the others.
 std::optional<Violation> violation_of(const DrawFailure& failure);
+
+// All violations of the draw call; none of a case that is scored apart.
+std::vector<Violation> violations_of(const CallOutcome& outcome);
 
 // What makes violations one finding: it is violated in this way, in these circumstances.
 struct FindingKey {

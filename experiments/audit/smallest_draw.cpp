@@ -21,14 +21,12 @@ using StillFails = std::function<bool(const DrawCall&)>;
 double cost_of_settings(const DrawCall& call) {
   constexpr double kPrimitive = 400, kIndices = 60, kStrip = 30, kQuantity = 50, kBinade = 8,
                    kViewport = 200, kProvoking = 5;
-  const bool is_list = call.topology == Topology::points || call.topology == Topology::lines ||
-                       call.topology == Topology::triangles;
   double cost = kPrimitive * static_cast<double>(primitives_of(call).size());
   cost += call.indices.empty() ? 0 : kIndices + static_cast<double>(call.indices.size());
-  cost += is_list ? 0 : kStrip;
+  cost += list_of(call.topology) == call.topology ? 0 : kStrip;
   cost += kQuantity * static_cast<double>(call.quantities.count());
   cost += kBinade * (std::log2(call.width) + std::log2(call.height) + std::log2(call.point_size));
-  if (call.viewport != Viewport{0, 0, call.width, call.height}) {
+  if (!has_whole_viewport(call)) {
     cost +=
         kViewport + kBinade * (std::log2(call.viewport.width) + std::log2(call.viewport.height));
   }

@@ -45,6 +45,18 @@ std::size_t count_of(Topology topology, std::size_t vertices) {
 
 }  // namespace
 
+Topology list_of(Topology topology) {
+  switch (topology) {
+    case Topology::points: return Topology::points;
+    case Topology::lines:
+    case Topology::line_strip: return Topology::lines;
+    case Topology::triangles:
+    case Topology::triangle_strip:
+    case Topology::triangle_fan: break;
+  }
+  return Topology::triangles;
+}
+
 std::vector<std::vector<std::uint32_t>> primitives_of(const DrawCall& call) {
   const std::vector<std::uint32_t> order = order_of(call);
   std::vector<std::vector<std::uint32_t>> primitives(count_of(call.topology, order.size()));

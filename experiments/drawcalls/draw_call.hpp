@@ -99,6 +99,13 @@ struct DrawCall {
   friend bool operator==(const DrawCall&, const DrawCall&) = default;
 };
 
+// The topology that lists the same kind of primitives one by one: points, lines or triangles.
+Topology list_of(Topology topology);
+
+inline bool has_whole_viewport(const DrawCall& call) {
+  return call.viewport == Viewport{0, 0, call.width, call.height};
+}
+
 // The vertices of each primitive, by number into DrawCall::vertices, in the order of the API: 1, 2
 // or 3 of them. The second, fourth, ... triangle of a strip has its first two exchanged, so that
 // all face the same way; the provoking vertex is apart, see provoking_vertex.

@@ -22,15 +22,11 @@ struct Sentence {
 
 enum class Shape : std::uint8_t { point, line, polygon };
 Shape shape_of(Topology topology) {
-  switch (topology) {
+  switch (list_of(topology)) {
     case Topology::points: return Shape::point;
-    case Topology::lines:
-    case Topology::line_strip: return Shape::line;
-    case Topology::triangles:
-    case Topology::triangle_strip:
-    case Topology::triangle_fan: return Shape::polygon;
+    case Topology::lines: return Shape::line;
+    default: return Shape::polygon;
   }
-  return Shape::polygon;
 }
 
 constexpr Sentence kPointCoverage = {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "experiments/workloads/plain_call.hpp"
+#include "spaces/planes.hpp"
 #include "spaces/projection.hpp"
 
 namespace clipscope::experiments {
@@ -37,17 +38,13 @@ std::vector<Corners> clip_triangles(const Scene& scene, const View& view) {
 
 // Neither all inside nor all outside of one plane.
 bool is_cut(const Corners& corners, DepthRange depth) {
-  unsigned any = 0, all = ~0u;
-  for (const Position& p : corners) {
-    unsigned code = 0;
-    const float near = depth == DepthRange::minus_one_to_one ? p[3] + p[2] : p[2];
-    const std::array distances = {p[3] + p[0], p[3] - p[0], p[3] + p[1],
-                                  p[3] - p[1], near,        p[3] - p[2]};
-    for (unsigned k = 0; k < 6; ++k) code |= distances[k] < 0 ? 1u << k : 0u;
-    any |= code;
-    all &= code;
+  OutcodeSummary codes{~Outcode{0}, 0};
+  for (const auto& [x, y, z, w] : corners) {
+    const Outcode code = clip_outcode(depth, Vec4<float>(x, y, z, w));
+    codes.all &= code;
+    codes.any |= code;
   }
-  return any != 0 && all == 0;
+  return codes.any != 0 && codes.all == 0;
 }
 
 struct Chunk {

@@ -68,7 +68,7 @@ class Workload {
   // A viewport other than the target's stays where it is: it is what the call is about.
   void resize(DrawCall& call) const {
     const Viewport before = call.viewport;
-    const bool is_whole = before == Viewport{0, 0, call.width, call.height};
+    const bool is_whole = has_whole_viewport(call);
     set_size(call, options_.size, options_.size);
     if (!is_whole) call.viewport = before;
   }

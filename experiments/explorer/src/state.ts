@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the page shows, as one value, and the store that tells everybody when it changes. What is
+// derived from it (scene.ts) is not in it; what a link keeps (link.ts) is all of it.
+
+import type { Question, Scalar } from './engine';
+
+export interface State extends Question {
+  scalar: Scalar;
+  clippers: [string, string]; // by name: the two that are laid over each other
+  order: number[];            // of planes, step by step
+  step: number;               // 0: the whole triangle; order.length: after all planes
+  selected: number;           // the vertex of the triangle that keys move: 0, 1 or 2
+  magnified: number | null;   // the vertex of the first answer under the magnifier
+  source: string;             // what the triangle is: a hard case's or a lesson's name, or ''
+}
+
+export function initialState(): State {
+  return {
+    frustum: { parallel: false, left: -1, right: 1, bottom: -1, top: 1, near: 1, far: 10,
+               infiniteFar: false, shearX: 0, shearY: 0, depth: 'minus_one_to_one' },
+    volume: { clampNear: false, clampFar: false, clipDistances: 0,
+              openSides: { left: false, right: false, bottom: false, top: false } },
+    space: 'view',
+    triangle: [
+      { position: [-2, -1, -4, 0], attributes: [0, 0, 0, 0] },
+      { position: [3, -0.5, -2, 0], attributes: [1, 0, 0, 0] },
+      { position: [0, 2.5, -5, 0], attributes: [0, 1, 0, 0] },
+    ],
+    scalar: 'float',
+    clippers: ['homogeneous/sutherland_hodgman', 'cvv/naive'],
+    order: [4, 5, 0, 1, 2, 3],
+    step: 6,
+    selected: 0,
+    magnified: null,
+    source: '',
+  };
+}
+
+type Listener = (state: State, before: State) => void;
+
+// One for the page. Listeners are called once per change, all changes of a frame together.
+export class Store {
+  private listeners: Listener[] = [];
+  private shown: State;
+  private isWaiting = false;
+
+  constructor(private current: State) {
+    this.shown = current;
+  }
+
+  get state(): State {
+    return this.current;
+  }
+
+  // Changes some of it. Values are replaced, never changed in place.
+  update(change: Partial<State>) {
+    this.current = { ...this.current, ...change };
+    if (this.isWaiting) return;
+    this.isWaiting = true;
+    requestAnimationFrame(() => this.show());
+  }
+
+  subscribe(listener: Listener) {
+    this.listeners.push(listener);
+    listener(this.current, this.current);
+  }
+
+  private show() {
+    this.isWaiting = false;
+    const before = this.shown;
+    this.shown = this.current;
+    for (const listener of this.listeners) listener(this.current, before);
+  }
+}

@@ -3,6 +3,7 @@
 // clipscope_attack: attacks the correctly rounded clipper with kinds of input for as long as it is
 // told to. Exit code 1: it has a wrong bit, or a kind did not reach what it is there for.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
@@ -44,9 +45,10 @@ bool report(const Kind& kind, const Attacked& attacked, const Options& options,
   if (options.facts) print_facts(tally.facts);
   std::fflush(stdout);
   if (attacked.failure) {
-    std::printf("MISROUNDED by %s: seed %llu, batch %d\n%s", name.c_str(),
-                static_cast<unsigned long long>(options.seed), attacked.batches - 1,
-                describe(shrunk(*attacked.failure, all)).c_str());
+    std::printf(
+        "MISROUNDED by %s: clipscope_attack --kind %s --seed %llu --batches %d replays it\n%s",
+        name.c_str(), name.c_str(), static_cast<unsigned long long>(options.seed), attacked.batches,
+        describe(shrunk(*attacked.failure, all)).c_str());
     return false;
   }
   const std::string missing = missing_facts(kind, tally.facts);

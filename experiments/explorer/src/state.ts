@@ -12,6 +12,7 @@ export interface State extends Question {
   step: number;               // 0: the whole triangle; order.length: after all planes
   selected: number;           // the vertex of the triangle that keys move: 0, 1 or 2
   magnified: number | null;   // the vertex of the first answer under the magnifier
+  instrument: string;         // the panel that is open
   source: string;             // what the triangle is: a hard case's or a lesson's name, or ''
 }
 
@@ -33,6 +34,7 @@ export function initialState(): State {
     step: 6,
     selected: 0,
     magnified: null,
+    instrument: 'clippers',
     source: '',
   };
 }

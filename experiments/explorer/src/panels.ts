@@ -3,9 +3,12 @@
 // The parts of the page in the order in which they stand there.
 
 import type { Panel } from './panel';
+import { kLegend } from './views/legend';
+import { kNumbers } from './views/numbers';
+import { kSpaces } from './views/spaces';
 
-// Side by side: the three spaces.
-export const kViews: readonly Panel[] = [];
+// The three spaces side by side, their legend above them and their numbers below.
+export const kViews: readonly Panel[] = [kLegend, ...kSpaces, kNumbers];
 
 // Below them.
 export const kPanels: readonly Panel[] = [];

@@ -1,29 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Floats as people write, step and round them: hexadecimal text, neighbours one ulp away, decimals
-// that are short enough to read.
+// Floats as people step and round them: neighbours one ulp away, decimals that are short enough to
+// read.
 
-import type { Scalar } from './engine';
-
-const kHex = /^([+-]?)0x([0-9a-f]*)\.?([0-9a-f]*)(?:p([+-]?\d+))?$/i;
-const kDecimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
-
-// The finite number that a text names, decimal or as a hex float (0x1.8p3); null where it names none.
-export function numberOf(text: string): number | null {
-  const trimmed = text.trim().replace('\u2212', '-');
-  if (kDecimal.test(trimmed)) return finite(Number(trimmed));
-  const [, sign, whole, fraction, exponent] = kHex.exec(trimmed) ?? [];
-  if (whole === undefined || fraction === undefined || whole + fraction === '') return null;
-  // Up to 13 digits (52 bits) are read exactly; a double has no more after its first one.
-  const digits = (whole + fraction).replace(/^0+(?=.)/, '');
-  if (digits.replace(/0+$/, '').length > 14) return null;
-  const value = Number('0x' + digits) * 2 ** (Number(exponent ?? 0) - 4 * fraction.length);
-  return finite(sign === '-' ? -value : value);
-}
-
-function finite(x: number): number | null {
-  return Number.isFinite(x) ? x : null;
-}
+import { rounded, type Scalar } from './engine';
 
 // The next number of the scalar above or below; the largest stays where it is.
 export function neighbour(scalar: Scalar, x: number, isUp: boolean): number {
@@ -60,4 +40,14 @@ export function toStep(x: number, step: number): number {
 // For reading, not for calculating: four significant digits.
 export function short(x: number): string {
   return String(Number(x.toPrecision(4))).replace('-', '\u2212');
+}
+
+// The shortest decimal that the scalar rounds to the same number.
+export function shortest(scalar: Scalar, x: number): string {
+  if (scalar === 'double' || Math.fround(x) !== x) return String(x);
+  for (let digits = 1; digits < 9; ++digits) {
+    const text = x.toPrecision(digits);
+    if (rounded(scalar, Number(text)) === x) return String(Number(text));
+  }
+  return String(Number(x.toPrecision(9)));
 }

@@ -5,10 +5,10 @@
 import type { Panel } from './panel';
 import { kLegend } from './views/legend';
 import { kNumbers } from './views/numbers';
-import { kSpaces } from './views/spaces';
+import { kSpaces, kTabs } from './views/spaces';
 
 // The three spaces side by side, their legend above them and their numbers below.
-export const kViews: readonly Panel[] = [kLegend, ...kSpaces, kNumbers];
+export const kViews: readonly Panel[] = [kTabs, kLegend, ...kSpaces, kNumbers];
 
 // Below them.
 export const kPanels: readonly Panel[] = [];

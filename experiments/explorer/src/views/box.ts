@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Draws a volume with eight corners: the frustum or the cube. Edges that the volume hides are dashed.
+// Draws a volume with eight corners: the frustum or the cube. Edges that it hides are dashed.
 
 import type { Frustum, Vec4 } from '../engine';
 import { toViewPosition } from '../projection';
+import type { Vec3 } from './lens';
 import type { Canvas } from './space';
 
 // z / w at the near and at the far plane.
@@ -15,8 +16,8 @@ export function depthEnds({ depth }: Frustum): { near: number; far: number } {
   }
 }
 
-// The corners of the frustum in view space: bit 0 of the index is x (right), bit 1 y (top) and bit 2
-// far. Corners at infinity have h = 0.
+// The corners of the frustum in view space, not beyond the farthest w: bit 0 of the index is x
+// (right), bit 1 y (top) and bit 2 far. Corners at infinity have h = 0.
 export function frustumCorners(f: Frustum, farthest: number): Vec4[] {
   return Array.from({ length: 8 }, (_, i) => {
     const isFar = (i & 4) !== 0;
@@ -42,7 +43,9 @@ const kFaces = [[0, 2, 6, 4], [1, 3, 7, 5], [0, 1, 5, 4], [2, 3, 7, 6], [0, 1, 3
 export function drawBox({ painter, colours }: Canvas, corners: readonly Vec4[],
                         seen: readonly boolean[]) {
   const colour = colours.volume;
-  for (const face of kFaces) painter.area(face.map((i) => corners[i]!), { colour, alpha: 0.045 });
+  for (const face of kFaces) {
+    painter.area(face.map((i) => corners[i]!), { colour, alpha: 0.045 });
+  }
   for (let a = 0; a < 8; ++a) {
     for (const b of [a | 1, a | 2, a | 4].filter((other) => other !== a)) {
       const isSeen = kFaces.some((face, i) => seen[i] && face.includes(a) && face.includes(b));
@@ -53,13 +56,12 @@ export function drawBox({ painter, colours }: Canvas, corners: readonly Vec4[],
 }
 
 // Short arrows from the origin with the letters of the axes.
-export function drawAxes({ painter, lens, colours }: Canvas, origin: readonly [number, number, number],
-                         axes: readonly (readonly [string, readonly [number, number, number]])[]) {
-  const length = 46 * lens.pixelSize([...origin]);
+export function drawAxes({ painter, lens, colours }: Canvas, axes: readonly [string, Vec3][]) {
+  const length = 46 * lens.pixelSize([0, 0, 0]);
   const style = { colour: colours.faint, width: 1 };
   for (const [name, direction] of axes) {
-    const at = (scale: number) =>
-      [0, 1, 2].map((i) => origin[i]! + scale * length * direction[i]!).concat(1) as Vec4;
+    const at = (scale: number): Vec4 =>
+      [...direction.map((d) => scale * length * d) as Vec3, 1];
     painter.line([at(0), at(1)], style);
     painter.text(at(1.22), name, { ...style, paper: colours.paper, align: 'center' });
   }

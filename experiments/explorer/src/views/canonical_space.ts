@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The canonical view volume, after the divide. Points of clip space are drawn by their four numbers,
-// so that an edge through w = 0 is seen as it is: two rays that go out to infinity.
+// The canonical view volume, after the divide. Points are drawn by their four numbers before it, so
+// that an edge through w = 0 is seen as it is: two rays that go out to infinity.
 
 import type { Frustum, Vec4, Vertex } from '../engine';
 import { isDrawn } from './layers';
 import { short } from '../floats';
-import { isInvertible, rowsOf, toClipPosition, toViewPosition } from '../projection';
+import { isInvertible, rowsOf, toViewPosition } from '../projection';
 import type { Scene } from '../scene';
 import type { State } from '../state';
 import { depthEnds, drawAxes, drawBox } from './box';
@@ -33,7 +33,8 @@ function drawWrongEdges(scene: Scene, { painter, colours }: Canvas) {
   scene.clip.forEach((a, i) => {
     const b = scene.clip[(i + 1) % 3]!;
     if (a.position[3] * b.position[3] >= 0) return;
-    const ends = [a, b].map((v) => place(scene, v.position).at.map((n) => n / v.position[3]) as Vec4);
+    const ends = [a, b].map(({ position }) =>
+      place(scene, position).at.map((n) => n / position[3]) as Vec4);
     painter.line(ends, { colour: colours.faint, width: 1, dash: [1, 4] });
   });
 }
@@ -47,11 +48,11 @@ function drawVolume(scene: Scene, canvas: Canvas) {
     sign * ((i & 4) !== 0 ? ends.far : ends.near), 1]);
   const [x, y, z] = lens.eye!;
   drawBox(canvas, corners, outsideOf(frustum, [x, y, sign * z, 1]));
-  const label = { paper: colours.paper, colour: colours.volume, dx: 6, dy: -8 };
-  const place = (n: number) => short(n);
-  painter.text(corners[3]!, `near, z = ${place(ends.near)}`, label);
-  painter.text(corners[7]!, `far, z = ${place(ends.far)}${frustum.infiniteFar ? ' (\u221e)' : ''}`, label);
-  drawAxes(canvas, [0, 0, 0], [['x', [1, 0, 0]], ['y', [0, 1, 0]], ['z', [0, 0, sign]]]);
+  const label = { paper: colours.paper, colour: colours.volume, dy: -9, align: 'center' } as const;
+  const infinity = frustum.infiniteFar ? ' (\u221e)' : '';
+  painter.text(corners[2]!, `near, z = ${short(ends.near)}`, label);
+  painter.text(corners[7]!, `far, z = ${short(ends.far)}${infinity}`, label);
+  drawAxes(canvas, [['x', [1, 0, 0]], ['y', [0, 1, 0]], ['z', [0, 0, sign]]]);
   if (isDrawn('input')) drawWrongEdges(scene, canvas);
 }
 
@@ -61,17 +62,16 @@ function viewDepth(f: Frustum, z: number): number {
   return f.parallel ? (z - row.one) / row.z : -row.one / (z + row.z);
 }
 
-function move({ state: { space, frustum: f } }: Scene, held: Vec4, to: Vec3): Vec4 | null {
+function move({ state: { space, frustum: f } }: Scene, held: Vec4, to: Vec3,
+              from: Vec3): Vec4 | null {
   const x = to[0], y = to[1], z = front(f) * to[2];
   if (space === 'clip') {
     const w = held[3];
     return w === 0 ? null : [x * w, y * w, z * w, w];
   }
   if (!isInvertible(f)) return null;
-  const before = toClipPosition(f, held);
-  // A drag that keeps z keeps the depth to the last bit.
-  const isKept = Math.abs(before[2] / before[3] - z) <= 1e-12 * Math.max(1, Math.abs(z));
-  const depth = isKept ? held[2] : viewDepth(f, z);
+  // What keeps z keeps the depth to the last bit.
+  const depth = to[2] === from[2] ? held[2] : viewDepth(f, z);
   const w = f.parallel ? 1 : -depth;
   const [vx, vy] = toViewPosition(f, [x * w, y * w, f.parallel ? z : 0, w]);
   return [vx, vy, depth, 0];

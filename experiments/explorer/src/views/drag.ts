@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From pixels and keys to the numbers of a vertex: where a dragged vertex comes to stand, rounded to
-// numbers that are short enough to read at this scale.
+// From pixels and keys to the numbers of a vertex: where a dragged vertex comes to stand, rounded
+// to numbers that are short enough to read at this scale.
 
 import type { Vec4 } from '../engine';
 import { neighbour, niceStep, toStep } from '../floats';
@@ -45,7 +45,7 @@ function sensitivity(space: Space, scene: Scene, lens: Lens, held: Held, pixel: 
                      pixels: number): number {
   const at = (dx: number, dy: number) => space.move(
     scene, held.numbers,
-    pointUnder(space, lens, held, { x: pixel.x + dx, y: pixel.y + dy }));
+    pointUnder(space, lens, held, { x: pixel.x + dx, y: pixel.y + dy }), held.point);
   const here = at(0, 0);
   const changes = [at(pixels, 0), at(0, pixels)].flatMap(
     (there) => here?.map((value, i) => Math.abs(value - (there?.[i] ?? NaN))) ?? []);
@@ -66,7 +66,7 @@ function tidy(numbers: Vec4, before: Vec4, step: number | null): Vec4 | null {
 export function dragged(space: Space, scene: Scene, lens: Lens, held: Held, pixel: Pixel,
                         isRounded: boolean): Moved | null {
   const point = pointUnder(space, lens, held, pixel);
-  const numbers = space.move(scene, held.numbers, point);
+  const numbers = space.move(scene, held.numbers, point, held.point);
   if (numbers === null) return null;
   const change = isRounded ? sensitivity(space, scene, lens, held, pixel, 1) : 0;
   const tidied = tidy(numbers, held.numbers, change > 0 ? niceStep(change) : null);
@@ -107,7 +107,7 @@ export function nudged(space: Space, scene: Scene, lens: Lens, vertex: number, k
   // The next multiple of the step in this direction.
   const count = axis.sign * to[axis.index]! / step;
   to[axis.index] = toStep(axis.sign * step * Math.floor(count + 1 + 1e-6), step);
-  const moved = space.move(scene, numbers, to);
+  const moved = space.move(scene, numbers, to, point);
   if (moved === null) return null;
   const change = Math.max(...moved.map((value, i) => Math.abs(value - numbers[i]!)));
   return tidy(moved, numbers, change > 0 ? niceStep(change / 100) : null);

@@ -47,8 +47,10 @@ function drawAnswer(space: Space, scene: Scene, { painter, colours }: Canvas, la
   if (placed === null) return;
   const colour = colours[kLayerColours[layer]];
   const points = placed.map((p) => p.at);
-  painter.outline(points, { colour, width, dash, alpha: 0.9 });
-  for (const point of points) painter.dot(point, width / 2 + 1.2, { colour });
+  // Dashes are seen on whatever is below them.
+  if (dash.length > 0) painter.outline(points, { colour: colours.paper, width });
+  painter.outline(points, { colour, width, dash });
+  for (const point of points) painter.dot(point, width / 2 + 1, { colour });
 }
 
 export function drawFigure(space: Space, scene: Scene, canvas: Canvas) {
@@ -65,7 +67,8 @@ export function drawFigure(space: Space, scene: Scene, canvas: Canvas) {
     strokes(painter, placed, colours.volume, 1);
   }
   // Wide below narrow: where answers agree, all their colours are seen.
-  drawAnswer(space, scene, canvas, 'first', scene.answers[0].polygon, 6, []);
-  drawAnswer(space, scene, canvas, 'second', scene.answers[1].polygon, 3.4, []);
-  drawAnswer(space, scene, canvas, 'exact', scene.exact, 1.6, [6, 4]);
+  const unit = painter.width < 300 ? 1.1 : 1.6;
+  drawAnswer(space, scene, canvas, 'first', scene.answers[0].polygon, 3.4 * unit, []);
+  drawAnswer(space, scene, canvas, 'second', scene.answers[1].polygon, 2 * unit, []);
+  drawAnswer(space, scene, canvas, 'exact', scene.exact, unit, [6, 4]);
 }

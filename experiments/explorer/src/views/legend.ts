@@ -3,10 +3,12 @@
 // The legend of the views: what each colour is, with a switch for each, and the scene in words.
 
 import type { Panel } from '../panel';
+import { html } from '../panels/dom';
 import type { Scene } from '../scene';
-import { isDrawn, kLayerColours, kLayers, layerName, planeName, toggle, type Layer } from './layers';
+import { isDrawn, kLayerColours, kLayers, layerName, planeName, toggle } from './layers';
+import type { Layer } from './layers';
 import { kLetters } from './plot';
-import { kSpaces } from './spaces';
+import { mountThemeSwitch } from './theme';
 
 const kQuiet = 900; // milliseconds without a change before a screen reader is told
 
@@ -21,7 +23,8 @@ function vertexWords(scene: Scene, vertex: number): string {
   const planes = scene.distances[vertex]!.byPlane.flatMap(
     (_, p) => (bits >> p & 1) !== 0 ? [planeName(p)] : []);
   const sides = planes.length === 0 ? 'is inside' : `is outside ${joined(planes)}`;
-  const behind = w < 0 ? ' and behind the eye (w < 0)' : w === 0 ? ' and at the eye\u2019s depth (w = 0)' : '';
+  const behind = w < 0 ? ' and behind the eye (w < 0)'
+    : w === 0 ? ' and beside the eye (w = 0)' : '';
   return `${kLetters[vertex]} ${sides}${behind}.`;
 }
 
@@ -31,60 +34,31 @@ export function describe(scene: Scene): string {
   return [...[0, 1, 2].map((i) => vertexWords(scene, i)), `${answers.join('; ')}.`].join(' ');
 }
 
-function layerSwitch(layer: Layer): { button: HTMLButtonElement; name: HTMLElement } {
-  const button = document.createElement('button');
-  const name = document.createElement('span');
-  button.type = 'button';
-  button.className = `layer ${layer}`;
-  button.style.setProperty('--own', `var(--${kLayerColours[layer]})`);
-  button.append(document.createElement('i'), name);
-  button.setAttribute('aria-pressed', String(isDrawn(layer)));
-  button.addEventListener('click', () => {
-    toggle(layer);
-    button.setAttribute('aria-pressed', String(isDrawn(layer)));
-  });
-  return { button, name };
-}
-
-// On a narrow screen one space is shown at a time.
-function spaceTabs(): HTMLElement {
-  const nav = document.createElement('div');
-  nav.className = 'choice tabs';
-  nav.setAttribute('role', 'group');
-  nav.setAttribute('aria-label', 'Space that is shown');
-  const buttons = kSpaces.map(({ id, title }) => {
-    const button = document.createElement('button');
-    button.type = 'button';
-    button.textContent = title.replace('Canonical view volume', 'After the divide');
-    button.addEventListener('click', () => choose(id));
-    return { id, button };
-  });
-  const choose = (chosen: string) => {
-    document.body.dataset.space = chosen;
-    for (const { id, button } of buttons) button.setAttribute('aria-pressed', String(id === chosen));
-  };
-  nav.append(...buttons.map((b) => b.button));
-  choose(kSpaces[0]!.id);
-  return nav;
+function layerSwitch(layer: Layer): { element: HTMLElement; name: HTMLElement } {
+  const name = html('span');
+  const pressed = () => String(isDrawn(layer));
+  const element = html('button', {
+    type: 'button', class: 'layer', 'data-layer': layer, 'aria-pressed': pressed(),
+    style: `--own: var(--${kLayerColours[layer]})`,
+    click: () => {
+      toggle(layer);
+      element.setAttribute('aria-pressed', pressed());
+    },
+  }, html('i'), name);
+  return { element, name };
 }
 
 export const kLegend: Panel = {
   id: 'legend',
   title: 'What is drawn',
   mount(host: HTMLElement) {
+    mountThemeSwitch(document.getElementById('theme') as HTMLButtonElement);
     const switches = kLayers.map((layer) => ({ layer, ...layerSwitch(layer) }));
-    const row = document.createElement('div');
-    row.className = 'layers';
-    row.append(...switches.map((s) => s.button));
-    const words = document.createElement('p');
-    words.className = 'words';
-    words.setAttribute('role', 'status');
-    host.append(spaceTabs(), row, words);
+    const words = html('p', { class: 'words', role: 'status' });
+    host.append(html('div', { class: 'layers' }, ...switches.map((s) => s.element)), words);
     let timer = 0;
     return (scene: Scene) => {
-      for (const { layer, name } of switches) {
-        name.textContent = layerName(layer, scene);
-      }
+      for (const { layer, name } of switches) name.textContent = layerName(layer, scene);
       window.clearTimeout(timer);
       timer = window.setTimeout(() => { words.textContent = describe(scene); },
                                 words.textContent === '' ? 0 : kQuiet);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Draws homogeneous points, lines and polygons through a lens onto a canvas. Everything is cut at
-// the border of the canvas before the divide, so that points at infinity can be drawn towards and no
-// coordinate is too large for the canvas.
+// the border of the canvas before the divide, so that lines to points at infinity can be drawn and
+// no coordinate is too large for the canvas.
 
 import type { Vec4 } from '../engine';
 import { dot, type Lens, type Vec3 } from './lens';
@@ -120,7 +120,10 @@ export class Painter {
     this.context.font = `${style.size ?? 12}px system-ui, 'DejaVu Sans', sans-serif`;
     this.context.textAlign = style.align ?? 'left';
     this.context.textBaseline = 'middle';
-    const x = at.x + (style.dx ?? 0), y = at.y + (style.dy ?? 0);
+    const { actualBoundingBoxLeft: left, actualBoundingBoxRight: right } =
+      this.context.measureText(text);
+    const x = Math.max(left + 3, Math.min(this.width - right - 3, at.x + (style.dx ?? 0)));
+    const y = Math.max(8, Math.min(this.height - 8, at.y + (style.dy ?? 0)));
     this.context.strokeStyle = style.paper;
     this.context.lineWidth = 3;
     this.context.strokeText(text, x, y);

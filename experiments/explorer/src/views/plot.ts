@@ -18,7 +18,8 @@ export const kLetters = ['A', 'B', 'C'] as const;
 const kInset = 12; // of the handles of vertices that are not on the canvas, from its border
 
 const kCanvasHelp = 'Arrow keys turn it, plus and minus zoom, 0 fits it.';
-const kVertexHelp = 'Arrow keys and page up and down move it, with shift by one unit in the last place.';
+const kVertexHelp =
+  'Arrow keys and page up and down move it, with shift by one unit in the last place.';
 
 export class Plot {
   readonly root = document.createElement('div');
@@ -154,7 +155,8 @@ export class Plot {
     const numbers = nudged(this.space, this.scene, this.lens, vertex, event.key, event.shiftKey);
     if (numbers === undefined) return;
     event.preventDefault();
-    if (numbers !== null) this.page.store.update(withVertex(this.page.store.state, vertex, numbers));
+    const { store } = this.page;
+    if (numbers !== null) store.update(withVertex(store.state, vertex, numbers));
   }
 
   private keyOnCanvas(event: KeyboardEvent) {
@@ -217,7 +219,8 @@ export class Plot {
     const { x, y, w } = project(this.lens, [...point, 1]);
     const { width, height } = this.painter;
     // Behind the viewer the image is upside down; the handle stands on the side where it would be.
-    const [dx, dy] = [x - width / 2, y - height / 2].map((d) => w > 0 ? d : -d * 1e6) as [number, number];
+    const sign = w > 0 ? 1 : -1e6;
+    const dx = sign * (x - width / 2), dy = sign * (y - height / 2);
     const room = { x: width / 2 - kInset, y: height / 2 - kInset };
     const shrink = Math.min(1, room.x / Math.abs(dx), room.y / Math.abs(dy));
     handle.classList.toggle('away', shrink < 1);

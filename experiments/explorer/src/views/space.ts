@@ -36,9 +36,9 @@ export interface Space {
   drawVolume(scene: Scene, canvas: Canvas): void;
   // What a plot that is fitted shows.
   landmarks(scene: Scene): Vec3[];
-  // The state's numbers of a vertex that comes to stand at `to`, of which `held` were the numbers;
-  // null where there are none.
-  move(scene: Scene, held: Vec4, to: Vec3): Vec4 | null;
+  // The state's numbers of a vertex that stood at `from` with the numbers `held` and comes to stand
+  // at `to`; null where there are none.
+  move(scene: Scene, held: Vec4, to: Vec3, from: Vec3): Vec4 | null;
   // The number of the state that lies along an axis of the plot.
   component(axis: 0 | 1 | 2, state: State): { index: number; sign: 1 | -1 };
   // The numbers of a vertex here, as text.
@@ -54,8 +54,8 @@ export function pointOf(space: Space, scene: Scene, vertex: number): Vec3 | null
   return h !== 0 && point.every(Number.isFinite) ? point : null;
 }
 
-// A polygon of NDC as points of clip space; null unless all of it lies before the eye, as it does not
-// exist before the divide then.
+// A polygon of NDC as points of clip space; null unless all of it lies before the eye, for else it
+// exists only after the divide.
 export function beforeDivide(polygon: readonly Vertex[]): Vec4[] | null {
   const points = polygon.map(({ position: [x, y, z, inverse] }): Vec4 =>
     [x / inverse, y / inverse, z / inverse, 1 / inverse]);

@@ -3,19 +3,16 @@
 // The three spaces as parts of the page, side by side.
 
 import type { Page, Panel } from '../panel';
+import { choice, html } from '../panels/dom';
 import type { Scene } from '../scene';
 import { kCanonicalSpace } from './canonical_space';
-import { kPyramid, kSlices } from './clip_space';
 import { Plot } from './plot';
+import { kPyramid } from './pyramid';
+import { kSlices } from './slices';
 import type { Space } from './space';
 import { kViewSpace } from './view_space';
 
-function caption(text: string): HTMLElement {
-  const p = document.createElement('p');
-  p.className = 'caption';
-  p.textContent = text;
-  return p;
-}
+const caption = (text: string) => html('p', { class: 'caption' }, text);
 
 function single(id: string, title: string, text: string, space: Space): Panel {
   return {
@@ -35,43 +32,22 @@ const kClipPlots: readonly { name: string; space: Space }[] = [
   { name: 'z\u2013w', space: kSlices[2]! },
 ];
 
-// Buttons that choose one of several; the chosen one is pressed.
-function choice(label: string, names: readonly string[], choose: (index: number) => void): HTMLElement {
-  const group = document.createElement('div');
-  group.className = 'choice';
-  group.setAttribute('role', 'group');
-  group.setAttribute('aria-label', label);
-  const buttons = names.map((name, i) => {
-    const button = document.createElement('button');
-    button.type = 'button';
-    button.textContent = name;
-    button.addEventListener('click', () => press(i));
-    return button;
-  });
-  const press = (index: number) => {
-    buttons.forEach((b, i) => b.setAttribute('aria-pressed', String(i === index)));
-    choose(index);
-  };
-  group.append(...buttons);
-  press(0);
-  return group;
-}
-
 const kClipSpace: Panel = {
   id: 'clip_space',
   title: 'Clip space',
   mount(host: HTMLElement, page: Page) {
     const plots = kClipPlots.map(({ space }) => new Plot(space, page));
-    const grid = document.createElement('div');
-    grid.className = 'plots';
-    grid.append(...plots.map((plot) => plot.root));
-    const show = (index: number) => { // 0: all of them
-      grid.classList.toggle('one', index > 0);
-      plots.forEach((plot, i) => plot.root.classList.toggle('chosen', i === index - 1));
+    const grid = html('div', { class: 'plots' }, ...plots.map((plot) => plot.root));
+    const show = (chosen: string) => {
+      grid.classList.toggle('one', chosen !== 'all');
+      for (const { root } of plots) root.classList.toggle('chosen', root.dataset.space === chosen);
     };
+    const options = kClipPlots.map(({ name, space }) => [space.id, name] as const);
+    const part = choice('Part of clip space', [['all', 'all'], ...options], show);
+    part.show('all');
     host.append(
-      caption('Four numbers before the divide: inside is where \u2212w \u2264 x, y, z \u2264 w.'),
-      choice('Which part of clip space', ['all', ...kClipPlots.map((p) => p.name)], show), grid);
+      caption('Before the divide, four numbers: inside is |x| \u2264 w, |y| \u2264 w \u2026'),
+      part.element, grid);
     return (scene: Scene) => { for (const plot of plots) plot.show(scene); };
   },
 };
@@ -82,3 +58,19 @@ export const kSpaces: readonly Panel[] = [
   single('canonical_volume', 'Canonical view volume',
          'After the divide by w: the frustum has become a box.', kCanonicalSpace),
 ];
+
+// On a narrow screen one space is shown at a time.
+export const kTabs: Panel = {
+  id: 'tabs',
+  title: 'Space that is shown',
+  mount(host: HTMLElement) {
+    const short = (title: string) => title === 'Canonical view volume' ? 'After the divide' : title;
+    const show = (id: string) => { document.body.dataset.space = id; };
+    const options = kSpaces.map(({ id, title }) => [id, short(title)] as const);
+    const tabs = choice('Space that is shown', options, show);
+    tabs.show(kSpaces[0]!.id);
+    show(kSpaces[0]!.id);
+    host.append(tabs.element);
+    return () => {};
+  },
+};

@@ -26,6 +26,14 @@ export function reachOf(scene: Scene): number {
   return Math.max(parallel ? far : 2 * near, ...depths);
 }
 
+// As far as a plot that is fitted shows the volume: to the far plane, if that leaves the triangle
+// large enough.
+export function shownDepth(scene: Scene): number {
+  const { far, infiniteFar } = scene.state.frustum;
+  const reach = reachOf(scene);
+  return !infiniteFar && far <= 3 * reach ? far : 1.3 * reach;
+}
+
 function place({ state }: Scene, clip: Vec4): Placed {
   const [x, y, z] = toViewPosition(state.frustum, clip);
   return { at: [x, y, z, 1], w: clip[3] };
@@ -55,13 +63,13 @@ function drawVolume({ state: { frustum } }: Scene, canvas: Canvas) {
         painter.line([eye, corner], { colour: colours.volume, width: 0.8, dash: [2, 4] });
       }
     }
-    const label = { paper: colours.paper, colour: colours.volume, dx: 6, dy: -8 };
-    painter.text(corners[3]!, 'near', label);
-    if (!frustum.infiniteFar) painter.text(corners[7]!, 'far', label);
+    const label = { ...faint, colour: colours.volume, dx: -5, dy: -7, align: 'right' } as const;
+    painter.text(corners[2]!, 'near', label);
+    if (!frustum.infiniteFar) painter.text(corners[6]!, 'far', label);
   } else {
     painter.text(eye, 'no view volume has these numbers', { ...faint, dy: -30, align: 'center' });
   }
-  drawAxes(canvas, [0, 0, 0], [['x', [1, 0, 0]], ['y', [0, 1, 0]], ['\u2212z', [0, 0, -1]]]);
+  drawAxes(canvas, [['x', [1, 0, 0]], ['y', [0, 1, 0]], ['\u2212z', [0, 0, -1]]]);
   if (frustum.parallel) return;
   painter.dot(eye, 4, faint);
   painter.text(eye, 'eye', { ...faint, dx: -8, dy: 10, align: 'right' });
@@ -69,7 +77,7 @@ function drawVolume({ state: { frustum } }: Scene, canvas: Canvas) {
 
 function landmarks(scene: Scene): Vec3[] {
   const f = scene.state.frustum;
-  const corners = isInvertible(f) ? frustumCorners(f, 1.3 * reachOf(scene)) : [];
+  const corners = isInvertible(f) ? frustumCorners(f, shownDepth(scene)) : [];
   const vertices = scene.view?.map((v) => v.position) ?? [];
   return [[0, 0, 0], ...[...corners, ...vertices].map(([x, y, z]): Vec3 => [x, y, z])]
     .filter((p): p is Vec3 => p.every(Number.isFinite));
@@ -79,7 +87,7 @@ export const kViewSpace: Space = {
   id: 'view',
   label: 'view space',
   kept: null,
-  makeLens: () => new OrbitLens({ yaw: 0.62, pitch: 0.36 }),
+  makeLens: () => new OrbitLens({ yaw: 0.8, pitch: 0.3 }),
   triangle(scene: Scene) {
     const { parallel } = scene.state.frustum;
     return scene.view?.map(({ position: [x, y, z] }): Placed =>

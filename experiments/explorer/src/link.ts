@@ -20,17 +20,19 @@
 //   a=, b=, c=X,Y,Z[,W][;A,..] a vertex, W in clip space only, then up to four attributes
 //   scalar=float|double
 //   clippers=NAME,NAME         the two that are compared
-//   order=PLANE,...            of left, right, bottom, top, near, far and clip distances 0, 1, ...
+//   order=PLANE,...            of left, right, bottom, top, near, far and clip distances 0, 1, ...;
+//                              planes that are left out follow
 //   step=N                     how many planes of the order have cut
 //   selected=a|b|c             the vertex that keys move
 //   magnified=N                the vertex of the first answer under the magnifier
+//   zoom=N                     it shows 2^-N of the whole screen
 //   show=PANEL                 the panel that is open
 //   source=TEXT                what the triangle is
 import { kAttributes, kPlanes } from './engine';
 import type { Depth, Frustum, Triangle, Vec4, Vertex, Volume } from './engine';
 import { numberText, parseNumber } from './number_text';
 import { isInvertible } from './projection';
-import { initialState } from './state';
+import { initialState, kMostZoom } from './state';
 import type { State } from './state';
 
 export class LinkError extends Error {}
@@ -86,6 +88,7 @@ export function linkOf(s: State): string {
     `selected=${kVertexNames[s.selected]}`, `show=${s.instrument}`,
   ];
   if (s.magnified !== null) items.push(`magnified=${s.magnified}`);
+  if (s.zoom !== 0) items.push(`zoom=${s.zoom}`);
   if (s.source !== '') items.push(`source=${encodeURIComponent(s.source)}`);
   return items.join('&');
 }
@@ -184,6 +187,8 @@ function readFrustum(reader: Reader, otherwise: Frustum): Frustum {
       [number, number, number, number, number, number];
   [r.shearX, r.shearY] =
     (shear === null ? [0, 0] : numbersOf('shear', shear, 2, 'X,Y')) as [number, number];
+  // A link does not say which far plane there was before; the page wants one to go back to.
+  if (r.infiniteFar) r.far = 10 * r.near;
   if (isInvertible(r)) return r;
   throw new LinkError(`${name}: it encloses no volume; expected left < right, bottom < top, ` +
                       'near < far, and in perspective 0 < near, else a finite far');
@@ -276,6 +281,7 @@ export function stateOfLink(fragment: string, names: Names): State {
     step: reader.count('step', order.length) ?? order.length,
     selected: kVertexNames.indexOf(reader.oneOf('selected', kVertexNames, 'a')),
     magnified: reader.count('magnified', 99),
+    zoom: reader.count('zoom', kMostZoom) ?? start.zoom,
     instrument: reader.oneOf('show', names.panels, start.instrument),
     source: reader.take('source') ?? '',
   };

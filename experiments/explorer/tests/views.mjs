@@ -9,7 +9,8 @@ import { frames, withPage } from './browser.mjs';
 
 const [file] = process.argv.slice(2);
 assert.ok(file, 'usage: node tests/views.mjs PAGE.html');
-const onPage = (body, options = {}) => withPage(file, options, body);
+const onPage = (body, options = {}) =>
+  withPage(file, { fragment: '#v1&show=numbers', ...options }, body);
 
 const kSpaces = ['view', 'xyw', 'xw', 'yw', 'zw', 'canonical'];
 const near = 1, far = 10; // of the page when it is opened; its sides are at -1 and 1

@@ -15,6 +15,7 @@ if (out === undefined) {
   process.exit(2);
 }
 const here = dirname(fileURLToPath(import.meta.url));
+const styles = ['src/page.css', 'src/panels/panels.css'].map((file) => join(here, file));
 const bundled = await build({
   entryPoints: [join(here, 'src/main.ts')],
   bundle: true,
@@ -27,7 +28,7 @@ const bundled = await build({
 });
 const packed = async (file) => gzipSync(await readFile(file), { level: 9 }).toString('base64');
 const parts = {
-  CSS: await readFile(join(here, 'src/page.css'), 'utf8'),
+  CSS: (await Promise.all(styles.map((file) => readFile(file, 'utf8')))).join(''),
   ENGINE: await packed(engine),
   CATALOGUE: await packed(catalogue),
   // The browser ends the script at its first end tag, also within a string.
@@ -37,6 +38,6 @@ const page = await readFile(join(here, 'src/index.html'), 'utf8');
 await writeFile(out, page.replace(/@([A-Z]+)@/g, (_, part) => parts[part]));
 if (dependencies !== undefined) {
   const inputs = Object.keys(bundled.metafile.inputs).map((path) => resolve(path));
-  const files = [...inputs, join(here, 'src/page.css'), join(here, 'src/index.html')];
+  const files = [...inputs, ...styles, join(here, 'src/index.html')];
   await writeFile(dependencies, `${out}: ${files.map((f) => f.replaceAll(' ', '\\ ')).join(' ')}\n`);
 }

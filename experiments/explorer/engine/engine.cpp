@@ -91,12 +91,22 @@ constexpr std::array<ClipFunction, sizeof...(Cs)> functions_of(TypeList<Cs...>) 
 }
 constexpr auto kFunctions = functions_of(AllClippers{});
 
+// The name of the type, from the function's own as GCC and clang write it: "... [C = TYPE]" or
+// "... [with C = TYPE; ...]".
+template <class C>
+std::string_view type_name() {
+  const std::string_view text = __PRETTY_FUNCTION__;
+  const std::string_view before = "C = ";
+  const std::size_t from = text.find(before) + before.size();
+  return text.substr(from, text.find_first_of(";]", from) - from);
+}
+
 template <class C>
 std::string description() {
   const auto text = [](std::string_view s) { return '"' + std::string(s) + '"'; };
   const auto flag = [](bool b) { return std::string(b ? "true" : "false"); };
   return "{\"name\":" + text(C::name) + ",\"summary\":" + text(C::summary) +
-         ",\"source\":" + text(C::source) +
+         ",\"source\":" + text(C::source) + ",\"type\":" + text(type_name<C>()) +
          ",\"clipSpace\":" + flag(ClipsClipSpace<C, float, kAttributes>) +
          ",\"double\":" + flag(ClipsViewSpace<C, double, kAttributes>) + "}";
 }

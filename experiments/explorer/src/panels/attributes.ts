@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Attributes as a checkerboard on the polygon as the screen shows it: with perspective correction,
+// without it, and how far the two are apart.
+
+import { fieldsOf, largestDifference, largestParameterError, wRatio } from '../checkerboard';
+import type { Field, Fields } from '../checkerboard';
+import type { Vertex } from '../engine';
+import type { Panel } from '../panel';
+import type { Scene } from '../scene';
+import { choice, html } from './dom';
+import { short } from './text';
+
+const kSize = 240;   // pixels of a picture
+const kTexels = 64;  // of the texture, to a side
+const kChecks = 8;   // of the board, to a side
+
+type Colour = readonly [number, number, number];
+type Shade = (i: number) => Colour | null; // of pixel i; null: nothing is there
+
+// The red, green and blue of a colour of the page, as the browser computes it.
+function colourOf(host: HTMLElement, variable: string): Colour {
+  const probe = html('span', { style: `color: var(${variable})` });
+  host.append(probe);
+  const [r = 0, g = 0, b = 0] = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map(Number);
+  probe.remove();
+  return [r, g, b];
+}
+
+const mixed = (a: Colour, b: Colour, t: number): Colour =>
+  [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])];
+
+function paint(canvas: HTMLCanvasElement, shade: Shade) {
+  const context = canvas.getContext('2d')!;
+  const image = context.createImageData(kSize, kSize);
+  for (let i = 0; i < kSize * kSize; ++i) {
+    const colour = shade(i);
+    if (colour !== null) image.data.set([...colour, 255], 4 * i);
+  }
+  context.putImageData(image, 0, 0);
+}
+
+function board(field: Field, dark: Colour, light: Colour): Shade {
+  return (i) => {
+    const u = field.u[i]!, v = field.v[i]!;
+    if (Number.isNaN(u) || Number.isNaN(v)) return null;
+    return (Math.floor(u * kChecks) + Math.floor(v * kChecks)) % 2 === 0 ? light : dark;
+  };
+}
+
+function differences({ correct, affine }: Fields, most: number, none: Colour, full: Colour): Shade {
+  return (i) => {
+    const d = Math.max(Math.abs(correct.u[i]! - affine.u[i]!),
+                       Math.abs(correct.v[i]! - affine.v[i]!));
+    return Number.isNaN(d) ? null : mixed(none, full, most > 0 ? d / most : 0);
+  };
+}
+
+function picture(caption: string) {
+  const canvas = html('canvas', { width: kSize, height: kSize, role: 'img', 'aria-label': caption });
+  return { canvas, element: html('figure', {}, canvas, html('figcaption', {}, caption)) };
+}
+
+function sentence(polygon: readonly Vertex[], most: number): string {
+  if (polygon.length === 0) return 'There is no polygon to draw.';
+  const ratio = wRatio(polygon);
+  const apart = `At most ${short(most * kTexels, 3)} texels of ${kTexels} lie between the two.`;
+  if (ratio === null) return `${apart} The answer has w ≤ 0 at some vertex.`;
+  const error = largestParameterError(ratio);
+  return `w_max / w_min = ${short(ratio, 4)}: along an edge the affine parameter is wrong by up to ` +
+         `(√r − 1) / (√r + 1) = ${short(error, 3)}. ${apart}`;
+}
+
+type Which = 'exact' | 'first' | 'second';
+
+export function polygonOf(scene: Scene, which: Which): Vertex[] {
+  if (which === 'exact') return scene.exact ?? [];
+  return scene.answers[which === 'first' ? 0 : 1].polygon ?? [];
+}
+
+function mount(host: HTMLElement) {
+  let which: Which = 'first';
+  let shown: Scene | null = null;
+  const of = choice<Which>('Polygon of the',
+    [['first', 'first answer'], ['second', 'second answer'], ['exact', 'exact answer']], (value) => {
+      which = value;
+      if (shown !== null) show(shown);
+    });
+  const correct = picture('perspective-correct'), affine = picture('affine, without correction');
+  const difference = picture('difference');
+  const text = html('p', { class: 'verdict' });
+  const show = (scene: Scene) => {
+    shown = scene;
+    of.show(which);
+    const polygon = polygonOf(scene, which).filter((v) => v.position.every(Number.isFinite));
+    const fields = fieldsOf(polygon, kSize);
+    const most = largestDifference(fields);
+    const dark = colourOf(host, `--${which}`), light = colourOf(host, '--paper');
+    paint(correct.canvas, board(fields.correct, dark, light));
+    paint(affine.canvas, board(fields.affine, dark, light));
+    paint(difference.canvas, differences(fields, most, light, colourOf(host, '--ink')));
+    text.textContent = sentence(polygon, most);
+  };
+  host.append(html('div', { class: 'controls' }, of.element), text,
+    html('div', { class: 'pictures' }, correct.element, affine.element, difference.element),
+    html('details', {}, html('summary', {}, 'What is drawn'),
+      html('p', { class: 'note' },
+        `The first two attributes as a board of ${kChecks} × ${kChecks} fields. Attributes are ` +
+        'linear in space, not on the screen: there a/w and 1/w are linear, and their quotient is ' +
+        'the attribute. The affine picture interpolates the attributes themselves, on the triangles ' +
+        'into which the polygon is fanned, as early consoles did.')));
+  return show;
+}
+
+export const kAttributesPanel: Panel = { id: 'attributes', title: 'Perspective', mount };

@@ -29,9 +29,9 @@ export function initialState(): State {
               openSides: { left: false, right: false, bottom: false, top: false } },
     space: 'view',
     triangle: [
-      { position: [-2, -1, -4, 0], attributes: [0, 0, 0, 0] },
-      { position: [3, -0.5, -2, 0], attributes: [1, 0, 0, 0] },
-      { position: [0, 2.5, -5, 0], attributes: [0, 1, 0, 0] },
+      { position: [-3, -2, -5, 0], attributes: [0, 0, 0, 0] },
+      { position: [6, -1, -4, 0], attributes: [1, 0, 0, 0] },
+      { position: [-1, 5, -8, 0], attributes: [0, 1, 0, 0] },
     ],
     scalar: 'float',
     clippers: ['homogeneous/sutherland_hodgman', 'cvv/naive'],

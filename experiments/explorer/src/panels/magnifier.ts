@@ -7,12 +7,12 @@ import { errorOf, exactOf } from '../compare';
 import type { Scalar, Vertex } from '../engine';
 import { nearest } from '../exact';
 import type { ExactVertex, Rational } from '../exact';
+import { neighbour } from '../floats';
 import type { Page, Panel } from '../panel';
 import type { Scene } from '../scene';
 import { kMostZoom } from '../state';
 import type { State } from '../state';
 import { button, html, svg } from './dom';
-import { neighbours } from './neighbours';
 import { short } from './text';
 import { chosenVertex, vertexChoice } from './vertex_choice';
 
@@ -24,6 +24,10 @@ const kClear = 14;              // where lines are this far apart, one sees them
 const kMostApart = 24;          // spacings of x and y that differ by more aren't seen together
 
 type Point = [number, number];
+
+// How far the numbers around x are apart; at a power of two the mean of both sides.
+const spacing = (x: number, scalar: Scalar) =>
+  (neighbour(scalar, x, true) - neighbour(scalar, x, false)) / 2;
 
 // NDC relative to the exact vertex, which is in the middle, to the picture.
 class Lens {
@@ -91,12 +95,12 @@ function outline(points: readonly Point[], className: string): SVGElement {
 // near to each other.
 function gridLines(lens: Lens, centre: Rational, axis: 0 | 1, scalar: Scalar): number[] {
   const middle = nearest(centre, scalar);
-  const { below, above } = neighbours(middle, scalar);
+  const below = neighbour(scalar, middle, false), above = neighbour(scalar, middle, true);
   if (Math.abs(lens.place(above, axis) - lens.place(below, axis)) < 2 * kLeastGrid) return [];
   const lines = [middle];
   const isShown = (x: number) => Math.abs(lens.place(x, axis) - kSize / 2) <= kSize / 2;
-  for (let x = below; isShown(x); x = neighbours(x, scalar).below) lines.push(x);
-  for (let x = above; isShown(x); x = neighbours(x, scalar).above) lines.push(x);
+  for (let x = below; isShown(x); x = neighbour(scalar, x, false)) lines.push(x);
+  for (let x = above; isShown(x); x = neighbour(scalar, x, true)) lines.push(x);
   return lines.map((x) => lens.place(x, axis));
 }
 
@@ -141,20 +145,16 @@ function ulpZoom(state: State): number {
   const exact = exactOf(state);
   const vertex = exact?.[chosenVertex(state, exact)];
   if (vertex === undefined) return 0;
-  const [x, y] = [0, 1].map((axis) => {
-    const { below, above } = neighbours(nearest(vertex.position[axis]!, state.scalar), state.scalar);
-    return (above - below) / 2;
-  });
-  const spacing = Math.max(Math.min(x!, y!), Math.max(x!, y!) / kMostApart);
-  const half = spacing * (kSize / 2) / kClear;
+  const [x, y] = [0, 1].map((axis) => spacing(nearest(vertex.position[axis]!, state.scalar),
+                                              state.scalar));
+  const step = Math.max(Math.min(x!, y!), Math.max(x!, y!) / kMostApart);
+  const half = step * (kSize / 2) / kClear;
   return Math.max(0, Math.min(kMostZoom, Math.round(Math.log2(kWhole / half))));
 }
 
 function scaleText(half: number, exact: ExactVertex, scalar: Scalar): string {
   const px = half * 2 * 3840 / 2;
-  const x = Math.abs(nearest(exact.position[0], scalar));
-  const { below, above } = neighbours(x, scalar);
-  const ulps = 2 * half / ((above - below) / 2);
+  const ulps = 2 * half / spacing(nearest(exact.position[0], scalar), scalar);
   return `The picture is ${short(2 * half, 3)} wide in NDC: ${short(px, 3)} pixels of 3840, ` +
          `${short(ulps, 3)} ulps of x.`;
 }

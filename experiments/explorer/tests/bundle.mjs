@@ -8,11 +8,12 @@ import { build } from 'esbuild';
 
 export const root = dirname(dirname(fileURLToPath(import.meta.url)));
 
-// What src/NAME.ts exports, several of them together: { engine: {...}, exact: {...} }.
+// What src/NAME.ts exports, several of them together: { engine: {...}, exact: {...} }; of a file in
+// a folder as { folder_file: {...} }.
 export async function load(...names) {
   const bundled = await build({
     stdin: {
-      contents: names.map((name) => `export * as ${name} from './src/${name}';`).join('\n'),
+      contents: names.map((name) => `export * as ${name.replaceAll('/', '_')} from './src/${name}';`).join('\n'),
       resolveDir: root,
       loader: 'ts',
     },

@@ -46,7 +46,9 @@ function note(scene: Scene): string {
   if (names.length > 0) {
     return `z and w of ${names.join(', ')} are of no point in this view space; there z follows w.`;
   }
-  return space === 'view' ? 'In view space w is not free: it is \u2212z.' : '';
+  if (space === 'clip') return '';
+  return frustum.parallel ? 'In a parallel projection w is 1.'
+    : 'In view space w is not free: it is \u2212z.';
 }
 
 function vertexFields(page: Page): { element: HTMLElement; show: (scene: Scene) => void } {

@@ -160,6 +160,10 @@ export function corpusCase(state: State): Copied {
 
 // --- C++ ----------------------------------------------------------------------------------------
 
+// -0 without a point would be a whole number, which has no sign where it is 0.
+const literal = (x: number) => (Object.is(x, -0) ? '-0.0' : numberText(x));
+const literals = (numbers: readonly number[]) => numbers.map(literal).join(', ');
+
 const kDepthRanges: Record<Depth, string> = {
   minus_one_to_one: 'minus_one_to_one', zero_to_one: 'zero_to_one', reversed: 'reversed',
 };
@@ -174,7 +178,7 @@ function volumeStatements(state: State, volume: string): string[] {
 }
 
 function viewStatements(state: State, { frustum, shear }: Numbers): string[] {
-  const [left, right, bottom, top, near, far] = frustum.map(numberText);
+  const [left, right, bottom, top, near, far] = frustum.map(literal);
   const infinite = state.frustum.infiniteFar;
   return [
     'Frustum<T> frustum;',
@@ -184,7 +188,7 @@ function viewStatements(state: State, { frustum, shear }: Numbers): string[] {
     infinite ? `frustum.near = ${near}, frustum.infinite_far = true;`
       : `frustum.near = ${near}, frustum.far = ${far};`,
     ...(shear.some((x) => x !== 0)
-      ? [`frustum.shear_x = ${numberText(shear[0])}, frustum.shear_y = ${numberText(shear[1])};`] : []),
+      ? [`frustum.shear_x = ${literal(shear[0])}, frustum.shear_y = ${literal(shear[1])};`] : []),
     `frustum.depth = DepthRange::${kDepthRanges[state.frustum.depth]};`,
     'Projection<T> projection(frustum);',
     ...volumeStatements(state, 'projection.volume'),
@@ -204,7 +208,7 @@ export function cppProgram(state: State, clipper: Clipper, isTaken: boolean): Co
   const isView = state.space === 'view';
   const attributes = state.triangle[0].attributes.length;
   const vertices = numbers.triangle.map((v) =>
-    `    {{${listOf(v.position, ', ')}}, {{${listOf(v.attributes, ', ')}}}},`);
+    `    {{${literals(v.position)}}, {{${literals(v.attributes)}}}},`);
   const statements = [
     `using T = ${state.scalar};`,
     ...(isView ? viewStatements(state, numbers) : clipStatements(state)),

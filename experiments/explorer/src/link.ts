@@ -232,8 +232,8 @@ function readTriangle(reader: Reader, start: State): Pick<State, 'space' | 'tria
   const missing = kVertexNames.filter((_, i) => texts[i] === null);
   if (missing.length === 3 && space === start.space) return { space, triangle: start.triangle };
   if (missing.length > 0) {
-    throw new LinkError(`a, b, c: ${missing.join(' and ')} ${missing.length > 1 ? 'are' : 'is'} ` +
-                        'missing; expected all three');
+    const names = missing.join(', ').replace(/, (?=.$)/, ' and ');
+    throw new LinkError(`${names} ${missing.length > 1 ? 'are' : 'is'} missing; expected a, b and c`);
   }
   const triangle = texts.map((text, i) =>
     readVertex(kVertexNames[i]!, text!, space, start.triangle[i]!)) as Triangle;

@@ -119,8 +119,8 @@ const nearFirst: Lesson = {
           clippers: ['homogeneous/sutherland_hodgman', 'homogeneous/near_last'] },
   task: 'put the near plane last, then step through all planes and watch w in the table.',
   isDone: ({ state }) => state.order.at(-1) === kNear && state.step === state.order.length,
-  done: 'After left and right no w < 0 was left, and the near plane found little to do. The order is ' +
-        'a matter of speed, not of correctness.',
+  done: 'After left and right no w < 0 was left but by rounding, and the near plane found little to ' +
+        'do. The order is a matter of speed, not of correctness.',
 };
 
 export const kFirstLessons: readonly Lesson[] = [drop, four, outcodes, divide, behind, nearFirst];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// clipscope_explorer_catalogue OUT.json [CASES...]: the hard cases as the explorer's page reads them
-// (src/catalogue.ts), the built-in ones and those of files or folders of the user's. The page shows
-// triangles of at most four attributes; others are left out, and how many is said.
+// clipscope_explorer_catalogue OUT.json [CASES...]: the hard cases as the page of the explorer
+// reads them (src/catalogue.ts), the built-in ones and those of files or folders of the user's. The
+// page shows triangles of at most four attributes; others are left out, and how many is said.
 #include <fmt/format.h>
 
 #include <array>

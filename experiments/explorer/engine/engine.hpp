@@ -4,8 +4,8 @@
 //
 // Numbers travel as doubles through two blocks of memory, which hold a float exactly. A call reads
 // the frustum and volume set last and the triangle in numbers(), and writes to results(). Where
-// is_double is 0, each number is rounded to float first; the caller gives floats, so that nothing is
-// lost. Where from_clip_space is 0, the triangle is in view space.
+// is_double is 0, each number is rounded to float first; the caller gives floats, so that nothing
+// is lost. Where from_clip_space is 0, the triangle is in view space.
 #pragma once
 
 #include <cstdint>
@@ -44,7 +44,7 @@ void clipscope_project(int is_double);
 // For each vertex its distances to all planes of the volume, 14 numbers, and its outcode.
 void clipscope_distances(int is_double, int from_clip_space);
 
-// The polygon in clip space before the first and after each of `count` planes, by their numbers: its
-// number of vertices, then these.
+// The polygon in clip space before the first and after each of `count` planes, by their numbers:
+// its number of vertices, then these.
 void clipscope_steps(int is_double, int from_clip_space, const std::uint8_t* planes, int count);
 }

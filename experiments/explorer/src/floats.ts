@@ -1,26 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Floats as people step and round them: neighbours one ulp away, decimals that are short enough to
-// read.
+// Floats as people round them: to decimals that are short enough to read.
 
 import { rounded, type Scalar } from './engine';
-
-// The next number of the scalar above or below; the largest stays where it is.
-export function neighbour(scalar: Scalar, x: number, isUp: boolean): number {
-  const bits = new DataView(new ArrayBuffer(8));
-  const read = () => scalar === 'float' ? bits.getFloat32(0) : bits.getFloat64(0);
-  if (scalar === 'float') bits.setFloat32(0, x);
-  else bits.setFloat64(0, x);
-  const isAway = read() === 0 || (read() > 0) === isUp; // from zero
-  if (scalar === 'float') {
-    const start = read() === 0 ? (isUp ? 0 : 0x80000000) : bits.getUint32(0);
-    bits.setUint32(0, start + (isAway ? 1 : -1));
-  } else {
-    const start = read() === 0 ? (isUp ? 0n : 1n << 63n) : bits.getBigUint64(0);
-    bits.setBigUint64(0, start + (isAway ? 1n : -1n));
-  }
-  return Number.isFinite(read()) ? read() : x;
-}
 
 // The smallest of 1, 2 and 5 times a power of ten that is not below x (x > 0).
 export function niceStep(x: number): number {

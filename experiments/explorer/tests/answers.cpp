@@ -98,9 +98,7 @@ const double* clipscope_ask(std::uint32_t number) {
 }
 
 void clipscope_digests(std::uint32_t first, std::uint64_t* digests, std::uint32_t count) {
-  for (std::uint32_t i = 0; i < count; ++i) {
-    digests[i] = clipscope::explorer::digest_of(first + i);
-  }
+  for (std::uint32_t i = 0; i < count; ++i) digests[i] = clipscope::explorer::digest_of(first + i);
 }
 
 const char* clipscope_answers(std::uint32_t number) {

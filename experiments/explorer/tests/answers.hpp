@@ -15,8 +15,8 @@ const double* clipscope_ask(std::uint32_t number);
 // Of the questions from `first` on, as many as there is room for: a hash of all answers to each.
 void clipscope_digests(std::uint32_t first, std::uint64_t* digests, std::uint32_t count);
 
-// The question's setting and triangle, then the answers to it, one a line: "clip 4 float 2 3ff0000000000000 ...", that is,
-// what, the clipper's number, the scalar, how many vertices or numbers, and the bits of the numbers
-// as doubles. It stays until the next call.
+// The question's setting and triangle, then the answers to it, one a line, as in "clip 4 float 3
+// 3ff0000000000000 ...": what was asked, the clipper's number, the scalar, how many vertices or
+// polygons there are, and the bits of the numbers as doubles. It stays until the next call.
 const char* clipscope_answers(std::uint32_t number);
 }

@@ -11,7 +11,7 @@ const [file] = process.argv.slice(2);
 assert.ok(file, 'usage: node tests/panels.mjs PAGE.html');
 const onPage = (body, options = {}) => withPage(file, options, body);
 
-const kPanels = ['clippers', 'outcodes', 'steps', 'digits', 'magnifier', 'attributes', 'depth', 'share'];
+const kPanels = ['numbers', 'clippers', 'outcodes', 'steps', 'digits', 'magnifier', 'attributes', 'depth', 'share'];
 const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, colorScheme: 'dark' };
 
 async function click(page, locator) {
@@ -31,11 +31,15 @@ async function choose(page, label, clipper) {
   await frames(page);
 }
 
+// Then the panel that was open is open again.
 async function write(page, name, letter, text) {
+  const open = await page.locator('#instruments [role=tab][aria-selected=true]').getAttribute('id');
+  await openPanel(page, 'numbers');
   const field = page.getByLabel(`${name} of ${letter}`, { exact: true });
   await field.fill(text);
   await field.press('Enter');
   await frames(page);
+  await click(page, `#${open}`);
 }
 
 // The address follows the state within half a second.
@@ -270,7 +274,7 @@ test('what is wrong in a link is said, and the next good link takes it away', on
 test('shortcuts do what the help says', onPage(async (page) => {
   await page.keyboard.press('?');
   const keys = await page.locator('dialog kbd').allInnerTexts();
-  for (const key of ['?', '1', '8', '[', ']', 'x', 'f', 'n', 'p', 'l']) assert.ok(keys.includes(key), key);
+  for (const key of ['?', '1', '9', '[', ']', 'x', 'f', 'n', 'p', 'l']) assert.ok(keys.includes(key), key);
   await page.keyboard.press('Escape');
   for (const [i, id] of kPanels.entries()) {
     await page.keyboard.press(String(i + 1));
@@ -295,8 +299,8 @@ test('shortcuts do what the help says', onPage(async (page) => {
 
 test('tabs are turned by arrow keys', onPage(async (page) => {
   await page.locator('#clippers-tab').focus();
-  for (const [key, id] of [['ArrowRight', 'outcodes'], ['End', 'share'], ['ArrowRight', 'clippers'],
-                           ['ArrowLeft', 'share'], ['Home', 'clippers']]) {
+  for (const [key, id] of [['ArrowRight', 'outcodes'], ['End', 'share'], ['ArrowRight', 'numbers'],
+                           ['ArrowLeft', 'share'], ['Home', 'numbers']]) {
     await page.keyboard.press(key);
     await frames(page);
     assert.ok(await page.locator(`#${id}`).isVisible(), `${key}: ${id}`);

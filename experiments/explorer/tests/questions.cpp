@@ -158,14 +158,11 @@ Position clip_position(const Numbers& numbers) {
       return p;
     case Kind::on_planes:
       p[3] = numbers.rounded(random.one_in(8) ? random.between(-2, 0) : random.between(0, 4));
-      for (int k = 0; k < 3; ++k)
-        p[static_cast<std::size_t>(k)] = one_of(numbers, {-p[3], p[3], 0});
+      for (std::size_t k = 0; k < 3; ++k) p[k] = one_of(numbers, {-p[3], p[3], 0});
       return p;
     default:
       p[3] = numbers.rounded(random.one_in(3) ? random.between(-2, 2) : random.between(0.1, 3));
-      for (int k = 0; k < 3; ++k) {
-        p[static_cast<std::size_t>(k)] = numbers.rounded(random.between(-3, 3));
-      }
+      for (std::size_t k = 0; k < 3; ++k) p[k] = numbers.rounded(random.between(-3, 3));
       return p;
   }
 }

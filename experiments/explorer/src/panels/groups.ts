@@ -5,6 +5,7 @@
 import { kLessonSource } from '../lessons/lessons';
 import type { Panel } from '../panel';
 import type { Scene } from '../scene';
+import { kNumbers } from '../views/numbers';
 import { kAttributesPanel } from './attributes';
 import { kCasesPanel } from './cases';
 import { kClippersPanel } from './clippers';
@@ -38,8 +39,8 @@ function guideChoice(): TabChoice {
 }
 
 export const kInstrumentPanels: readonly Panel[] = [
-  kClippersPanel, kOutcodesPanel, kStepsPanel, kDigitsPanel, kMagnifierPanel, kAttributesPanel,
-  kDepthPanel, kSharePanel,
+  kNumbers, kClippersPanel, kOutcodesPanel, kStepsPanel, kDigitsPanel, kMagnifierPanel,
+  kAttributesPanel, kDepthPanel, kSharePanel,
 ];
 
 export const kGuide: Panel =

@@ -43,6 +43,7 @@ const kHandleKeys: readonly [string, string][] = [
   ['arrow keys', 'move the vertex that has the focus'],
   ['Page Up, Page Down', 'move it in depth'],
   ['Shift with these', 'move it by one ulp'],
+  ['arrow keys, + \u2212 0', 'turn, zoom and fit the picture that has the focus'],
 ];
 
 const isTyping = (target: EventTarget | null) =>

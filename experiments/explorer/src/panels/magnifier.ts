@@ -7,12 +7,12 @@ import { errorOf, exactOf } from '../compare';
 import type { Scalar, Vertex } from '../engine';
 import { nearest } from '../exact';
 import type { ExactVertex, Rational } from '../exact';
-import { neighbour } from '../floats';
 import type { Page, Panel } from '../panel';
 import type { Scene } from '../scene';
 import { kMostZoom } from '../state';
 import type { State } from '../state';
 import { button, html, svg } from './dom';
+import { neighbours } from './neighbours';
 import { short } from './text';
 import { chosenVertex, vertexChoice } from './vertex_choice';
 
@@ -26,8 +26,10 @@ const kMostApart = 24;          // spacings of x and y that differ by more aren'
 type Point = [number, number];
 
 // How far the numbers around x are apart; at a power of two the mean of both sides.
-const spacing = (x: number, scalar: Scalar) =>
-  (neighbour(scalar, x, true) - neighbour(scalar, x, false)) / 2;
+function spacing(x: number, scalar: Scalar): number {
+  const { below, above } = neighbours(x, scalar);
+  return (above - below) / 2;
+}
 
 // NDC relative to the exact vertex, which is in the middle, to the picture.
 class Lens {
@@ -95,12 +97,12 @@ function outline(points: readonly Point[], className: string): SVGElement {
 // near to each other.
 function gridLines(lens: Lens, centre: Rational, axis: 0 | 1, scalar: Scalar): number[] {
   const middle = nearest(centre, scalar);
-  const below = neighbour(scalar, middle, false), above = neighbour(scalar, middle, true);
+  const { below, above } = neighbours(middle, scalar);
   if (Math.abs(lens.place(above, axis) - lens.place(below, axis)) < 2 * kLeastGrid) return [];
   const lines = [middle];
   const isShown = (x: number) => Math.abs(lens.place(x, axis) - kSize / 2) <= kSize / 2;
-  for (let x = below; isShown(x); x = neighbour(scalar, x, false)) lines.push(x);
-  for (let x = above; isShown(x); x = neighbour(scalar, x, true)) lines.push(x);
+  for (let x = below; isShown(x); x = neighbours(x, scalar).below) lines.push(x);
+  for (let x = above; isShown(x); x = neighbours(x, scalar).above) lines.push(x);
   return lines.map((x) => lens.place(x, axis));
 }
 

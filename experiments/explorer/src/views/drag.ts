@@ -3,8 +3,9 @@
 // From pixels and keys to the numbers of a vertex: where a dragged vertex comes to stand, rounded
 // to numbers that are short enough to read at this scale.
 
-import type { Vec4 } from '../engine';
-import { neighbour, niceStep, toStep } from '../floats';
+import { rounded, type Vec4 } from '../engine';
+import { niceStep, toStep } from '../floats';
+import { neighbours } from '../panels/neighbours';
 import type { Scene } from '../scene';
 import type { State } from '../state';
 import type { Axis, Lens, Pixel, Vec3 } from './lens';
@@ -89,7 +90,9 @@ function axisOf(lens: Lens, key: string): Axis | null {
 function finely(space: Space, state: State, held: Vec4, axis: Axis): Vec4 {
   const { index, sign } = space.component(axis.index, state);
   const numbers: Vec4 = [...held];
-  numbers[index] = neighbour(state.scalar, numbers[index]!, axis.sign === sign);
+  const { below, above } = neighbours(rounded(state.scalar, numbers[index]!), state.scalar);
+  const next = axis.sign === sign ? above : below;
+  if (Number.isFinite(next)) numbers[index] = next;
   return numbers;
 }
 

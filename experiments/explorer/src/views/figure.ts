@@ -48,7 +48,7 @@ function drawAnswer(space: Space, scene: Scene, { painter, colours }: Canvas, la
   const colour = colours[kLayerColours[layer]];
   const points = placed.map((p) => p.at);
   // Dashes are seen on whatever is below them.
-  if (dash.length > 0) painter.outline(points, { colour: colours.paper, width });
+  if (dash.length > 0) painter.outline(points, { colour: colours.paper, width, alpha: 0.75 });
   painter.outline(points, { colour, width, dash });
   for (const point of points) painter.dot(point, width / 2 + 1, { colour });
 }

@@ -48,6 +48,7 @@ export class Painter {
   height = 0;
   private lens!: Lens;
   private readonly context: CanvasRenderingContext2D;
+  private fontSize = 0;
   private readonly hatches = new Map<string, CanvasPattern>();
 
   constructor(private readonly canvas: HTMLCanvasElement) {
@@ -60,7 +61,8 @@ export class Painter {
     this.width = width;
     this.height = height;
     this.canvas.width = Math.round(width * ratio);
-    this.canvas.height = Math.round(height * ratio);
+    this.canvas.height = Math.round(height * ratio); // which forgets the font
+    this.fontSize = 0;
     this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
   }
 
@@ -73,6 +75,8 @@ export class Painter {
   area(points: readonly Vec4[], style: Style) {
     let polygon = this.screen(points);
     for (const side of this.sides()) polygon = cutPolygon(polygon, side, mix);
+    // A polygon through the point where the viewer is has a corner there, which is seen nowhere.
+    polygon = polygon.filter((p) => p[2] > 0);
     if (polygon.length < 3) return;
     this.apply(style);
     this.context.beginPath();
@@ -117,17 +121,26 @@ export class Painter {
     const at = this.pixel(point);
     if (at === null) return;
     this.apply(style);
-    this.context.font = `${style.size ?? 12}px system-ui, 'DejaVu Sans', sans-serif`;
+    this.setFont(style.size ?? 12);
     this.context.textAlign = style.align ?? 'left';
     this.context.textBaseline = 'middle';
-    const { actualBoundingBoxLeft: left, actualBoundingBoxRight: right } =
-      this.context.measureText(text);
-    const x = Math.max(left + 3, Math.min(this.width - right - 3, at.x + (style.dx ?? 0)));
+    // All of the text is on the canvas.
+    const width = this.context.measureText(text).width;
+    const before = style.align === 'right' ? width : style.align === 'center' ? width / 2 : 0;
+    const x = Math.max(before + 3, Math.min(this.width - (width - before) - 3,
+                                            at.x + (style.dx ?? 0)));
     const y = Math.max(8, Math.min(this.height - 8, at.y + (style.dy ?? 0)));
     this.context.strokeStyle = style.paper;
     this.context.lineWidth = 3;
     this.context.strokeText(text, x, y);
     this.context.fillText(text, x, y);
+  }
+
+  // A font that is set is looked up, even if it is the same one.
+  private setFont(size: number) {
+    if (this.fontSize === size) return;
+    this.fontSize = size;
+    this.context.font = `${size}px system-ui, 'DejaVu Sans', sans-serif`;
   }
 
   private pixel(point: Vec4): { x: number; y: number } | null {

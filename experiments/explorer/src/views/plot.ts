@@ -32,6 +32,8 @@ export class Plot {
   private readonly pointers = new Map<number, Pixel>();
   private isWaiting = false;
   private isFitted = false;
+  private isShown = false;
+  private corner: Pixel = { x: 0, y: 0 }; // of the plot in the window, when the pointer went down
 
   constructor(private readonly space: Space, private readonly page: Page) {
     this.lens = space.makeLens();
@@ -43,7 +45,9 @@ export class Plot {
     this.handles = kLetters.map((letter, i) => this.handle(letter, i));
     this.root.append(this.canvas, ...this.handles);
     this.listen();
-    new ResizeObserver(() => this.resize()).observe(this.root);
+    new ResizeObserver(([entry]) => {
+      this.resize(entry!.contentRect.width, entry!.contentRect.height);
+    }).observe(this.root);
     onColours(() => this.redraw());
     onLayers(() => this.redraw());
   }
@@ -60,6 +64,8 @@ export class Plot {
     handle.tabIndex = 0;
     handle.textContent = letter;
     handle.setAttribute('role', 'slider');
+    handle.setAttribute('aria-valuemin', '-1e30');
+    handle.setAttribute('aria-valuemax', '1e30');
     handle.setAttribute('aria-label', `${letter} in ${this.space.label}`);
     handle.setAttribute('aria-description', kVertexHelp);
     handle.addEventListener('focus', () => this.page.store.update({ selected: vertex }));
@@ -76,6 +82,7 @@ export class Plot {
     }
     root.addEventListener('wheel', (event) => {
       event.preventDefault();
+      this.findCorner();
       this.lens.zoom(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0015)),
                      this.pixel(event));
       this.redraw();
@@ -85,12 +92,17 @@ export class Plot {
   }
 
   private pixel(event: MouseEvent): Pixel {
-    const { left, top } = this.root.getBoundingClientRect();
-    return { x: event.clientX - left, y: event.clientY - top };
+    return { x: event.clientX - this.corner.x, y: event.clientY - this.corner.y };
+  }
+
+  private findCorner() {
+    const { left, top } = this.canvas.getBoundingClientRect();
+    this.corner = { x: left, y: top };
   }
 
   private down(event: PointerEvent) {
     if (event.button !== 0) return;
+    this.findCorner();
     const pixel = this.pixel(event);
     this.pointers.set(event.pointerId, pixel);
     this.root.setPointerCapture(event.pointerId);
@@ -179,11 +191,12 @@ export class Plot {
     this.redraw();
   }
 
-  private resize() {
-    const { clientWidth, clientHeight } = this.root;
-    if (clientWidth === 0 || clientHeight === 0) return;
-    this.painter.resize(clientWidth, clientHeight);
-    this.lens.resize(clientWidth, clientHeight);
+  // Sizes come from the observer alone: to ask for them in draw() would lay out the page each time.
+  private resize(width: number, height: number) {
+    this.isShown = width > 0 && height > 0;
+    if (!this.isShown) return;
+    this.painter.resize(width, height);
+    this.lens.resize(width, height);
     this.isFitted = false;
     this.draw(); // at once: a canvas that changes its size is empty
   }
@@ -198,7 +211,7 @@ export class Plot {
   }
 
   private draw() {
-    if (this.scene === null || this.painter.width === 0 || this.root.clientWidth === 0) return;
+    if (this.scene === null || !this.isShown) return;
     if (!this.isFitted) this.lens.fit(this.space.landmarks(this.scene));
     this.isFitted = true;
     const canvas = { painter: this.painter, lens: this.lens, colours: colours() };

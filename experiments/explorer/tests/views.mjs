@@ -318,6 +318,58 @@ test('views: dark and light have their own colours, in pictures as well', async 
   assert.notEqual(papers[0], papers[1]);
 });
 
+test('views: two fingers zoom', onPage(async (page) => {
+  const { x, y } = await middleOf(page.locator('[data-space=view] canvas'));
+  const touch = await page.context().newCDPSession(page);
+  const send = (type, ...points) => touch.send('Input.dispatchTouchEvent', {
+    type, touchPoints: points.map(([dx, dy], id) => ({ x: x + dx, y: y + dy, id })) });
+  const apart = async () => {
+    const [a, b] = await Promise.all([...'BC'].map((l) => middleOf(handle(page, 'view', l))));
+    return Math.hypot(a.x - b.x, a.y - b.y);
+  };
+  const before = await apart();
+  await send('touchStart', [-60, 120]);
+  await send('touchStart', [-60, 120], [60, 120]);
+  await send('touchMove', [-90, 120], [90, 120]);
+  await send('touchEnd');
+  await frames(page);
+  const ratio = await apart() / before;
+  assert.ok(Math.abs(ratio - 1.5) < 0.1, `the picture grew by ${ratio}`);
+}, { hasTouch: true }));
+
+test('views: the keyboard reaches every vertex, and what is behind the views at once',
+     onPage(async (page) => {
+  const focused = () => page.evaluate(() => document.activeElement.getAttribute('aria-label') ??
+                                            document.activeElement.id);
+  await page.keyboard.press('Tab');
+  assert.equal(await focused(), 'skip');
+  const seen = new Set();
+  for (let i = 0; i < 60; ++i) {
+    await page.keyboard.press('Tab');
+    seen.add(await focused());
+  }
+  const names = ['view space', 'clip space, x y w', 'clip space, x and w', 'clip space, y and w',
+                 'clip space, z and w', 'the canonical view volume'];
+  for (const name of names) {
+    for (const letter of 'ABC') assert.ok(seen.has(`${letter} in ${name}`), `${letter}, ${name}`);
+  }
+  await page.locator('#skip').focus();
+  await page.keyboard.press('Enter');
+  assert.equal(await focused(), 'panels');
+  assert.equal(await page.locator('#link-error').count(), 0);
+}));
+
+test('numbers: an attribute that is a clip distance cuts', onPage(async (page) => {
+  await page.getByLabel('clip distances', { exact: true }).selectOption('1');
+  await page.getByText('Attributes', { exact: true }).click();
+  for (const letter of 'ABC') {
+    await page.getByLabel(`attribute 0 of ${letter}`, { exact: true }).fill('-1');
+    await page.keyboard.press('Enter');
+  }
+  await page.getByText('exact: 0 vertices').waitFor();
+  await page.getByText(/A is outside clip distance 0/).waitFor();
+}));
+
 test('views: a phone shows one space, keeps it in sight and takes fingers', onPage(async (page) => {
   for (const space of ['clip_space', 'canonical_volume', 'view_space']) {
     await page.locator(`#tabs label:has([value=${space}])`).tap();

@@ -5,10 +5,10 @@
 import type { Panel } from '../panel';
 import { html } from '../panels/dom';
 import type { Scene } from '../scene';
+import { mountHeader } from './header';
 import { isDrawn, kLayerColours, kLayers, layerName, planeName, toggle } from './layers';
 import type { Layer } from './layers';
 import { kLetters } from './plot';
-import { mountThemeSwitch } from './theme';
 
 const kQuiet = 900; // milliseconds without a change before a screen reader is told
 
@@ -52,7 +52,7 @@ export const kLegend: Panel = {
   id: 'legend',
   title: 'What is drawn',
   mount(host: HTMLElement) {
-    mountThemeSwitch(document.getElementById('theme') as HTMLButtonElement);
+    mountHeader();
     const switches = kLayers.map((layer) => ({ layer, ...layerSwitch(layer) }));
     const words = html('p', { class: 'words', role: 'status' });
     host.append(html('div', { class: 'layers' }, ...switches.map((s) => s.element)), words);

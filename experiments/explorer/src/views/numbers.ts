@@ -2,7 +2,8 @@
 //
 // The numbers of the triangle, which may be typed, and the switch of the space that they are in.
 
-import { rounded, type Space, type Triangle, type Vec4 } from '../engine';
+import { kAttributes, rounded } from '../engine';
+import type { Space, Triangle, Vec4, Vertex } from '../engine';
 import type { Page, Panel } from '../panel';
 import { choice, html } from '../panels/dom';
 import { isInvertible, toClipPosition, toViewPosition } from '../projection';
@@ -46,30 +47,66 @@ function note(scene: Scene): string {
   if (names.length > 0) {
     return `z and w of ${names.join(', ')} are of no point in this view space; there z follows w.`;
   }
-  return space === 'view' ? 'In view space w is not free: it is \u2212z.' : '';
+  if (space === 'clip') return '';
+  return frustum.parallel ? 'In a parallel projection w is 1.'
+    : 'In view space w is not free: it is \u2212z.';
 }
 
-function vertexFields(page: Page): { element: HTMLElement; show: (scene: Scene) => void } {
-  const change = (vertex: number, k: number, value: number) => {
-    const position = [...page.store.state.triangle[vertex]!.position] as Vec4;
-    position[k] = value;
-    page.store.update({ ...withVertex(page.store.state, vertex, position), source: '' });
-  };
-  const fields: NumberField[][] = kLetters.map((letter, vertex) => kNames.map((name, k) =>
-    numberField(`${name} of ${letter}`, (value) => { change(vertex, k, value); return true; })));
+interface Fields {
+  element: HTMLTableElement;
+  heads: HTMLElement[]; // of the columns
+  show: (scene: Scene) => void;
+}
+
+// A table of one number per vertex and column.
+function fieldsOf(names: readonly string[], get: (vertex: Vertex) => readonly number[],
+                  set: (vertex: number, column: number, value: number) => void): Fields {
+  const fields: NumberField[][] = kLetters.map((letter, vertex) => names.map((name, k) =>
+    numberField(`${name} of ${letter}`, (value) => { set(vertex, k, value); return true; })));
   const row = (vertex: number) => html('tr', {},
     html('th', { scope: 'row' }, kLetters[vertex]!),
     ...fields[vertex]!.map((field) => html('td', {}, field.element)));
-  const table = html('table', { class: 'vertices' },
-    html('thead', {}, html('tr', {}, html('td'),
-      ...kNames.map((name) => html('th', { scope: 'col' }, name)))),
+  const heads = names.map((name) => html('th', { scope: 'col' }, name));
+  const element = html('table', { class: 'vertices' },
+    html('thead', {}, html('tr', {}, html('td'), ...heads)),
     html('tbody', {}, ...kLetters.map((_, i) => row(i))));
-  const show = ({ state }: Scene) => {
-    table.classList.toggle('without_w', state.space === 'view');
-    fields.forEach((own, vertex) => own.forEach((field, k) =>
-      field.show(state.triangle[vertex]!.position[k]!, state.scalar)));
+  const show = ({ state }: Scene) => fields.forEach((own, vertex) => own.forEach((field, k) =>
+    field.show(get(state.triangle[vertex]!)[k]!, state.scalar)));
+  return { element, heads, show };
+}
+
+function positions({ store }: Page): Fields {
+  const set = (vertex: number, k: number, value: number) => {
+    const position = [...store.state.triangle[vertex]!.position] as Vec4;
+    position[k] = value;
+    store.update(withVertex(store.state, vertex, position));
   };
-  return { element: table, show };
+  const fields = fieldsOf(kNames, (v) => v.position, set);
+  const show = (scene: Scene) => {
+    fields.element.classList.toggle('without_w', scene.state.space === 'view');
+    fields.show(scene);
+  };
+  return { ...fields, show };
+}
+
+// The first of them are clip distances, where there are any.
+function attributes({ store }: Page): { element: HTMLElement; show: (scene: Scene) => void } {
+  const names = Array.from({ length: kAttributes }, (_, i) => `attribute ${i}`);
+  const fields = fieldsOf(names, (v) => v.attributes, (vertex, k, value) => {
+    const triangle = [...store.state.triangle] as Triangle;
+    const own = triangle[vertex]!.attributes.map((old, i) => i === k ? value : old);
+    triangle[vertex] = { ...triangle[vertex]!, attributes: own };
+    store.update({ triangle, selected: vertex });
+  });
+  const element = html('details', {}, html('summary', {}, 'Attributes'), fields.element);
+  const show = (scene: Scene) => {
+    const { clipDistances } = scene.state.volume;
+    fields.heads.forEach((head, i) => {
+      head.textContent = i < clipDistances ? `clip distance ${i}` : names[i]!;
+    });
+    fields.show(scene);
+  };
+  return { element, show };
 }
 
 export const kNumbers: Panel = {
@@ -84,15 +121,16 @@ export const kNumbers: Panel = {
         if (change !== null) page.store.update(change);
         else space.show(shown.state.space);
       });
-    const vertices = vertexFields(page);
+    const parts = [positions(page), attributes(page)];
     const volume = volumeForm(page);
     const remark = html('p', { class: 'remark', role: 'status' });
     host.append(html('div', { class: 'numbers' },
-      html('div', { class: 'given' }, space.element, vertices.element, remark), volume.element));
+      html('div', { class: 'given' }, space.element, parts[0]!.element, remark,
+           parts[1]!.element), volume.element));
     return (scene: Scene) => {
       shown = scene;
       space.show(scene.state.space);
-      vertices.show(scene);
+      for (const part of parts) part.show(scene);
       volume.show(scene.state);
       const text = note(scene);
       if (remark.textContent !== text) remark.textContent = text;

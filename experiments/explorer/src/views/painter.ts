@@ -75,6 +75,8 @@ export class Painter {
   area(points: readonly Vec4[], style: Style) {
     let polygon = this.screen(points);
     for (const side of this.sides()) polygon = cutPolygon(polygon, side, mix);
+    // A polygon through the point where the viewer is has a corner there, which is seen nowhere.
+    polygon = polygon.filter((p) => p[2] > 0);
     if (polygon.length < 3) return;
     this.apply(style);
     this.context.beginPath();

@@ -64,6 +64,8 @@ export class Plot {
     handle.tabIndex = 0;
     handle.textContent = letter;
     handle.setAttribute('role', 'slider');
+    handle.setAttribute('aria-valuemin', '-1e30');
+    handle.setAttribute('aria-valuemax', '1e30');
     handle.setAttribute('aria-label', `${letter} in ${this.space.label}`);
     handle.setAttribute('aria-description', kVertexHelp);
     handle.addEventListener('focus', () => this.page.store.update({ selected: vertex }));

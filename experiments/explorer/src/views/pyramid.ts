@@ -12,8 +12,14 @@ import { OrbitLens, type Vec3 } from './lens';
 import type { Canvas, Space } from './space';
 import { shownDepth } from './view_space';
 
+// Where all points of view space with a certain w or z are, by name.
+function crossSections({ space, frustum: f }: State): [string, number][] {
+  if (space === 'clip') return [];
+  if (f.parallel) return [['w = 1', 1]];
+  return f.infiniteFar ? [['near', f.near]] : [['near', f.near], ['far', f.far]];
+}
+
 function drawPyramid(scene: Scene, canvas: Canvas) {
-  const { frustum, space } = scene.state;
   const { painter, lens, colours } = canvas;
   const [x, y, z] = lens.eye!;
   const w = -z;
@@ -32,13 +38,10 @@ function drawPyramid(scene: Scene, canvas: Canvas) {
     painter.line([apex, corner(i, end)], { colour, width: isSeen ? 1.4 : 1,
                                            dash: isSeen ? [] : [3, 4] });
   }
-  if (space === 'view' && !frustum.parallel) {
-    const ends = frustum.infiniteFar ? [frustum.near] : [frustum.near, frustum.far];
-    ends.forEach((size, i) => {
-      painter.outline(square(size), { colour, width: 1.2 });
-      painter.text(square(size)[3]!, i === 0 ? 'near' : 'far',
-                   { colour, paper: colours.paper, dx: -5, dy: -7, align: 'right' });
-    });
+  for (const [name, size] of crossSections(scene.state)) {
+    painter.outline(square(size), { colour, width: 1.2 });
+    painter.text(square(size)[3]!, name,
+                 { colour, paper: colours.paper, dx: -5, dy: -7, align: 'right' });
   }
   drawAxes(canvas, [['x', [1, 0, 0]], ['y', [0, 1, 0]], ['w', [0, 0, -1]]]);
   painter.dot(apex, 3, { colour: colours.faint });

@@ -53,21 +53,22 @@ function windowOf({ painter, lens }: Canvas) {
 function drawScales(canvas: Canvas, name: string) {
   const { painter, lens, colours } = canvas;
   const { left, right, low, high } = windowOf(canvas);
-  const step = niceStep(36 * lens.pixelSize([0, 0, 0]));
+  const pixel = lens.pixelSize([0, 0, 0]);
+  const step = niceStep(36 * pixel);
   const grid = { colour: colours.line, width: 1, alpha: 0.6 };
   const text = { colour: colours.faint, paper: colours.paper, size: 10 };
   for (let i = Math.ceil(left / step); i <= right / step; ++i) {
     const x = toStep(i * step, step);
     painter.line([[x, low, 0, 1], [x, high, 0, 1]], grid);
-    // The corner is the other axis's.
-    if (x - left > 26 * lens.pixelSize([0, 0, 0])) {
+    // The corners are the other axis's and the name's.
+    if (x - left > 26 * pixel && right - x > 28 * pixel) {
       painter.text([x, low, 0, 1], short(x), { ...text, dy: -8, align: 'center' });
     }
   }
   for (let i = Math.ceil(low / step); i <= high / step; ++i) {
     const w = toStep(i * step, step);
     painter.line([[left, w, 0, 1], [right, w, 0, 1]], grid);
-    painter.text([left, w, 0, 1], short(w), { ...text, dx: 3 });
+    if (high - w > 22 * pixel) painter.text([left, w, 0, 1], short(w), { ...text, dx: 3 });
   }
   const axis = { ...text, size: 13, colour: colours.ink };
   painter.text([right, low, 0, 1], name, { ...axis, dx: -9, dy: -9, align: 'right' });

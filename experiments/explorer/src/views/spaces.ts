@@ -46,7 +46,7 @@ const kClipSpace: Panel = {
     const part = choice('Part of clip space', [['all', 'all'], ...options], show);
     part.show('all');
     host.append(
-      caption('Before the divide, four numbers: inside is |x| \u2264 w, |y| \u2264 w \u2026'),
+      caption('Before the divide: inside is |x| \u2264 w, |y| \u2264 w.'),
       part.element, grid);
     return (scene: Scene) => { for (const plot of plots) plot.show(scene); };
   },

@@ -19,19 +19,19 @@ export function outsideOf(f: Frustum, [x, y, z, w]: Vec4): boolean[] {
   return [w + x, w - x, w + y, w - y, near, far].map((d) => d < 0);
 }
 
-// How far from the eye the triangle reaches, or the nearest part of the volume.
+// How large w becomes in the triangle, or in the nearest part of the volume.
 export function reachOf(scene: Scene): number {
-  const { near, parallel, far } = scene.state.frustum;
-  const depths = scene.clip.map((v) => Math.abs(v.position[3])).filter(Number.isFinite);
-  return Math.max(parallel ? far : 2 * near, ...depths);
+  const { near, parallel } = scene.state.frustum;
+  const sizes = scene.clip.map((v) => Math.abs(v.position[3])).filter(Number.isFinite);
+  return Math.max(parallel ? 1 : 2 * near, ...sizes);
 }
 
-// As far as a plot that is fitted shows the volume: to the far plane, if that leaves the triangle
-// large enough.
+// The w up to which a plot that is fitted shows the volume: to the far plane, if that leaves the
+// triangle large enough.
 export function shownDepth(scene: Scene): number {
-  const { far, infiniteFar } = scene.state.frustum;
+  const { far, infiniteFar, parallel } = scene.state.frustum;
   const reach = reachOf(scene);
-  return !infiniteFar && far <= 3 * reach ? far : 1.3 * reach;
+  return !parallel && !infiniteFar && far <= 3 * reach ? far : 1.3 * reach;
 }
 
 function place({ state }: Scene, clip: Vec4): Placed {

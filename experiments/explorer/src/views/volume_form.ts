@@ -30,7 +30,7 @@ function toValue(scale: Scale, at: number): number {
 function changed(page: Page, change: Partial<Frustum>): boolean {
   const frustum = { ...page.store.state.frustum, ...change };
   if (!isInvertible(frustum)) return false;
-  page.store.update({ frustum, source: '' });
+  page.store.update({ frustum });
   return true;
 }
 
@@ -92,7 +92,7 @@ const kDepthTexts: Record<Depth, string> = {
 };
 
 function setVolume(page: Page, change: Partial<Volume>) {
-  page.store.update({ volume: { ...page.store.state.volume, ...change }, source: '' });
+  page.store.update({ volume: { ...page.store.state.volume, ...change } });
 }
 
 function depthParts(page: Page): Part[] {

@@ -172,6 +172,22 @@ test('views: with shift a vertex goes along the view axis', onPage(async (page) 
   moved.forEach((value, i) => assert.ok(Math.abs(value / length - axis[i]) < 0.05, `${moved}`));
 }));
 
+test('views: a vertex does not jump when shift is let go', onPage(async (page) => {
+  const { x, y } = await middleOf(handle(page, 'view', 'C'));
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.keyboard.down('Shift');
+  await page.mouse.move(x, y - 60, { steps: 6 });
+  await frames(page);
+  const before = await numbersOf(page, 'C');
+  await page.keyboard.up('Shift');
+  await page.mouse.move(x + 1, y - 60);
+  await frames(page);
+  await page.mouse.up();
+  const moved = (await numbersOf(page, 'C')).map((value, i) => value - before[i]);
+  assert.ok(Math.hypot(...moved) < 0.2, `moved by ${moved}`); // a pixel is 0.05 there
+}));
+
 test('views: dragged numbers are short, with alt they are not rounded', onPage(async (page) => {
   await drag(page, 'view', 'A', 33, 21);
   const texts = async () => Promise.all([...'xyz'].map((n) => field(page, n, 'A').inputValue()));

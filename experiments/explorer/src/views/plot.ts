@@ -29,6 +29,8 @@ export class Plot {
   private readonly lens: Lens;
   private scene: Scene | null = null;
   private held: Held | null = null;
+  private holder = -1; // the pointer that holds it
+  private withShift = false;
   private readonly pointers = new Map<number, Pixel>();
   private isWaiting = false;
   private isFitted = false;
@@ -107,7 +109,8 @@ export class Plot {
     this.pointers.set(event.pointerId, pixel);
     this.root.setPointerCapture(event.pointerId);
     const vertex = this.handles.indexOf(event.target as HTMLElement);
-    if (vertex < 0) return;
+    if (vertex < 0 || this.held !== null) return;
+    this.holder = event.pointerId;
     this.hold(vertex, pixel, event.shiftKey);
     this.root.classList.add('dragging');
     // The handle keeps the focus that the capture would take from it.
@@ -115,31 +118,38 @@ export class Plot {
     this.handles[vertex]!.focus({ preventScroll: true });
   }
 
-  private hold(vertex: number, pixel: Pixel, isAlongAxis: boolean) {
+  // In a plane there is no view axis to move along.
+  private hold(vertex: number, pixel: Pixel, withShift: boolean) {
+    const isAlongAxis = withShift && this.lens.axes().away !== null;
     const scene = this.scene!;
     const point = pointOf(this.space, scene, vertex);
     if (point === null) return;
     const at = project(this.lens, [...point, 1]);
-    // A vertex that is not on the canvas comes under the pointer.
-    const isThere = at.w > 0 && Math.hypot(pixel.x - at.x, pixel.y - at.y) < 40;
+    // A vertex that is not on the canvas comes under the pointer when it is taken.
+    const isNear = Math.hypot(pixel.x - at.x, pixel.y - at.y) < 40;
+    const isThere = at.w > 0 && (isNear || this.held !== null);
     const grab = isThere ? { x: pixel.x - at.x, y: pixel.y - at.y } : { x: 0, y: 0 };
-    this.held = { vertex, numbers: scene.state.triangle[vertex]!.position, point, pixel, grab,
-                  isAlongAxis };
+    const numbers = scene.state.triangle[vertex]!.position;
+    this.held = { vertex, numbers, point, pixel, grab, isAlongAxis };
+    this.withShift = withShift;
   }
 
   private moved(event: PointerEvent) {
     const before = this.pointers.get(event.pointerId);
     if (before === undefined) return;
     const pixel = this.pixel(event);
-    if (this.held !== null) this.drag(pixel, event);
-    else if (this.pointers.size === 1) this.lens.turn(pixel.x - before.x, pixel.y - before.y);
-    else this.pinch(event.pointerId, before, pixel);
+    if (this.held !== null) {
+      if (event.pointerId === this.holder) this.drag(pixel, event);
+    } else {
+      if (this.pointers.size > 1) this.pinch(event.pointerId, before, pixel);
+      else this.lens.turn(pixel.x - before.x, pixel.y - before.y);
+      this.redraw();
+    }
     this.pointers.set(event.pointerId, pixel);
-    if (this.held === null) this.redraw();
   }
 
   private drag(pixel: Pixel, event: PointerEvent) {
-    if (this.held!.isAlongAxis !== event.shiftKey) {
+    if (this.withShift !== event.shiftKey) {
       this.hold(this.held!.vertex, pixel, event.shiftKey);
     }
     const held = this.held!;
@@ -157,8 +167,9 @@ export class Plot {
 
   private up(event: PointerEvent) {
     this.pointers.delete(event.pointerId);
-    if (this.pointers.size > 0) return;
+    if (event.pointerId !== this.holder) return;
     this.held = null;
+    this.holder = -1;
     this.root.classList.remove('dragging');
   }
 
@@ -224,8 +235,11 @@ export class Plot {
   private placeHandle(handle: HTMLElement, vertex: number) {
     const scene = this.scene!;
     const point = pointOf(this.space, scene, vertex);
-    handle.setAttribute('aria-valuetext', this.space.values(scene, vertex));
-    handle.setAttribute('aria-valuenow', String(point?.[this.lens.axes().right.index] ?? 0));
+    const words = this.space.values(scene, vertex);
+    if (handle.getAttribute('aria-valuetext') !== words) {
+      handle.setAttribute('aria-valuetext', words);
+      handle.setAttribute('aria-valuenow', String(point?.[this.lens.axes().right.index] ?? 0));
+    }
     handle.classList.toggle('selected', vertex === scene.state.selected);
     handle.classList.toggle('nowhere', point === null);
     if (point === null) return;

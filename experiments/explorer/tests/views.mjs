@@ -268,6 +268,34 @@ test('views: a plot turns and zooms without moving the triangle', onPage(async (
   assert.deepEqual(await numbersOf(page, 'A'), before);
 }));
 
+test('views: what is turned stays so when the window changes its size', onPage(async (page) => {
+  const { x, y } = await middleOf(page.locator('[data-space=canonical] canvas'));
+  const fitted = await middleOf(handle(page, 'canonical', 'C'));
+  await page.mouse.move(x, y + 120);
+  await page.mouse.down();
+  await page.mouse.move(x + 70, y + 120, { steps: 4 });
+  await page.mouse.up();
+  await frames(page);
+  const turned = await middleOf(handle(page, 'canonical', 'C'));
+  await page.setViewportSize({ width: 1300, height: 800 });
+  await frames(page);
+  await page.setViewportSize({ width: 1400, height: 900 });
+  await frames(page);
+  await assertUnder(page, 'canonical', 'C', turned, 1);
+  assert.ok(Math.hypot(fitted.x - turned.x, fitted.y - turned.y) > 10);
+}));
+
+test('numbers: a switch that would leave no volume goes back and says why', onPage(async (page) => {
+  const parallel = page.getByLabel('parallel projection', { exact: true });
+  await parallel.check();
+  await page.getByLabel('near', { exact: true }).fill('0');
+  await page.keyboard.press('Enter');
+  await parallel.click();
+  await frames(page);
+  assert.ok(await parallel.isChecked());
+  assert.match(await parallel.evaluate((input) => input.validationMessage), /more than 0/);
+}));
+
 test('numbers: a field takes hex floats and says what is wrong', onPage(async (page) => {
   await write(page, 'x', 'A', '-0x1.8p+1');
   assert.deepEqual((await numbersOf(page, 'A'))[0], -3);

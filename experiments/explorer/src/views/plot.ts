@@ -35,6 +35,7 @@ export class Plot {
   private isWaiting = false;
   private isFitted = false;
   private isShown = false;
+  private isTurned = false; // by the reader, who then has the last word
   private corner: Pixel = { x: 0, y: 0 }; // of the plot in the window, when the pointer went down
 
   constructor(private readonly space: Space, private readonly page: Page) {
@@ -55,7 +56,7 @@ export class Plot {
   }
 
   show(scene: Scene) {
-    if (this.scene !== null && isOther(scene, this.scene)) this.isFitted = false;
+    if (this.scene !== null && isOther(scene, this.scene)) this.isFitted = this.isTurned = false;
     this.scene = scene;
     this.draw();
   }
@@ -87,7 +88,7 @@ export class Plot {
       this.findCorner();
       this.lens.zoom(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0015)),
                      this.pixel(event));
-      this.redraw();
+      this.turned();
     }, { passive: false });
     root.addEventListener('dblclick', () => this.fit());
     this.canvas.addEventListener('keydown', (event) => this.keyOnCanvas(event));
@@ -143,7 +144,7 @@ export class Plot {
     } else {
       if (this.pointers.size > 1) this.pinch(event.pointerId, before, pixel);
       else this.lens.turn(pixel.x - before.x, pixel.y - before.y);
-      this.redraw();
+      this.turned();
     }
     this.pointers.set(event.pointerId, pixel);
   }
@@ -187,18 +188,23 @@ export class Plot {
     const middle = { x: this.painter.width / 2, y: this.painter.height / 2 };
     const turns: Record<string, [number, number]> =
       { ArrowLeft: [-20, 0], ArrowRight: [20, 0], ArrowUp: [0, -20], ArrowDown: [0, 20] };
-    const turn = turns[event.key];
-    if (turn) this.lens.turn(...turn);
-    else if (event.key === '+' || event.key === '=') this.lens.zoom(1.2, middle);
-    else if (event.key === '-') this.lens.zoom(1 / 1.2, middle);
-    else if (event.key === '0') this.fit();
-    else return;
+    const zooms: Record<string, number> = { '+': 1.2, '=': 1.2, '-': 1 / 1.2 };
+    const turn = turns[event.key], zoom = zooms[event.key];
+    if (turn === undefined && zoom === undefined && event.key !== '0') return;
     event.preventDefault();
+    if (event.key === '0') { this.fit(); return; }
+    if (turn !== undefined) this.lens.turn(...turn);
+    if (zoom !== undefined) this.lens.zoom(zoom, middle);
+    this.turned();
+  }
+
+  private turned() {
+    this.isTurned = true;
     this.redraw();
   }
 
   private fit() {
-    this.isFitted = false;
+    this.isFitted = this.isTurned = false;
     this.redraw();
   }
 
@@ -208,7 +214,7 @@ export class Plot {
     if (!this.isShown) return;
     this.painter.resize(width, height);
     this.lens.resize(width, height);
-    this.isFitted = false;
+    if (!this.isTurned) this.isFitted = false;
     this.draw(); // at once: a canvas that changes its size is empty
   }
 

@@ -8,7 +8,7 @@ import { Engine } from './engine';
 import { followLink } from './follow_link';
 import type { Panel } from './panel';
 import { kPanels, kViews } from './panels';
-import { kInstrumentIds } from './panels/groups';
+import { kInstrumentPanels } from './panels/groups';
 import { mountHelp } from './panels/help';
 import { sceneOf } from './scene';
 import { initialState, Store } from './state';
@@ -27,8 +27,9 @@ async function start() {
   const engine = await Engine.load(await embedded('engine'));
   const store = new Store(initialState());
   const page = { engine, store, catalogue: await loadCatalogue() };
-  followLink(store, { clippers: engine.clippers.map((c) => c.name), panels: kInstrumentIds });
-  mountHelp(page, kInstrumentIds, document.querySelector('header')!);
+  followLink(store, { clippers: engine.clippers.map((clipper) => clipper.name),
+                      panels: kInstrumentPanels.map((panel) => panel.id) });
+  mountHelp(page, kInstrumentPanels, document.querySelector('header')!);
   const mounted = (panels: readonly Panel[], id: string) =>
     panels.map((panel) => panel.mount(section(panel, document.getElementById(id)!), page));
   const shows = [...mounted(kViews, 'views'), ...mounted(kPanels, 'panels')];

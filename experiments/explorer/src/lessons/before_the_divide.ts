@@ -49,8 +49,8 @@ const four: Lesson = {
     'as a wedge. Cutting is a matter of adding and comparing; nothing is divided.'],
   open: { ...clipTriangle(kPointFour, [3, -0.5, 0, 2], [0, 3, 1, 3]), instrument: 'outcodes',
           clippers: ['homogeneous/sutherland_hodgman', 'barycentric/correctly_rounded'] },
-  task: 'double all four numbers of A, or drag A outward along its ray in both slices, so that it ' +
-        'stays where it is on the screen.',
+  task: 'double all four numbers of A (under Numbers), or drag A outward along its ray in both ' +
+        'slices, so that it stays where it is on the screen.',
   isDone: isSamePoint,
   done: 'The corner did not move on the screen, but its w did. Only the ratios are the point; the ' +
         'size of w matters for what lies between two points.',

@@ -8,6 +8,8 @@ import type { Field, Fields } from '../checkerboard';
 import type { Vertex } from '../engine';
 import type { Panel } from '../panel';
 import type { Scene } from '../scene';
+import { colours, onColours } from '../views/theme';
+import type { ColourName } from '../views/theme';
 import { choice, html } from './dom';
 import { short } from './text';
 
@@ -18,12 +20,9 @@ const kChecks = 8;   // of the board, to a side
 type Colour = readonly [number, number, number];
 type Shade = (i: number) => Colour | null; // of pixel i; null: nothing is there
 
-// The red, green and blue of a colour of the page, as the browser computes it.
-function colourOf(host: HTMLElement, variable: string): Colour {
-  const probe = html('span', { style: `color: var(${variable})` });
-  host.append(probe);
-  const [r = 0, g = 0, b = 0] = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map(Number);
-  probe.remove();
+// As the browser writes it: rgb(1, 2, 3).
+function colourOf(name: ColourName): Colour {
+  const [r = 0, g = 0, b = 0] = (colours()[name].match(/[\d.]+/g) ?? []).map(Number);
   return [r, g, b];
 }
 
@@ -95,10 +94,10 @@ function mount(host: HTMLElement) {
     const polygon = polygonOf(scene, which).filter((v) => v.position.every(Number.isFinite));
     const fields = fieldsOf(polygon, kSize);
     const most = largestDifference(fields);
-    const dark = colourOf(host, `--${which}`), light = colourOf(host, '--paper');
+    const dark = colourOf(which), light = colourOf('paper');
     paint(correct.canvas, board(fields.correct, dark, light));
     paint(affine.canvas, board(fields.affine, dark, light));
-    paint(difference.canvas, differences(fields, most, light, colourOf(host, '--ink')));
+    paint(difference.canvas, differences(fields, most, light, colourOf('ink')));
     text.textContent = sentence(polygon, most);
   };
   host.append(html('div', { class: 'controls' }, of.element), text,
@@ -109,6 +108,9 @@ function mount(host: HTMLElement) {
         'linear in space, not on the screen: there a/w and 1/w are linear, and their quotient is ' +
         'the attribute. The affine picture interpolates the attributes themselves, on the triangles ' +
         'into which the polygon is fanned, as early consoles did.')));
+  onColours(() => {
+    if (shown !== null) show(shown);
+  });
   return show;
 }
 

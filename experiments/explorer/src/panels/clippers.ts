@@ -15,14 +15,17 @@ const folderOf = ({ name }: Clipper) => (name.includes('/') ? name.slice(0, name
 
 // All clippers, grouped by the space that they cut in.
 function clipperList(engine: Engine, label: string, choose: (name: string) => void) {
-  const select = html('select', { change: () => choose(select.value) });
+  const select = html('select', { id: `clipper-${label.toLowerCase()}`,
+                                  change: () => choose(select.value) });
   for (const folder of new Set(engine.clippers.map(folderOf))) {
     const options = engine.clippers.filter((c) => folderOf(c) === folder)
       .map((c) => html('option', { value: c.name }, c.name));
     if (folder === '') select.append(...options);
     else select.append(html('optgroup', { label: folder }, ...options));
   }
-  return { select, element: html('label', {}, label, select) };
+  // Beside the list, for else the names of all clippers would be its label.
+  return { select, element: html('span', { class: 'field' }, html('label', { for: select.id }, label),
+                                 select) };
 }
 
 const swatch = (which: 'first' | 'second' | 'exact') =>

@@ -38,11 +38,10 @@ function guideChoice(): TabChoice {
   };
 }
 
-const kInstrumentPanels = [
+export const kInstrumentPanels: readonly Panel[] = [
   kNumbers, kClippersPanel, kOutcodesPanel, kStepsPanel, kDigitsPanel, kMagnifierPanel,
   kAttributesPanel, kDepthPanel, kSharePanel,
 ];
-export const kInstrumentIds: readonly string[] = kInstrumentPanels.map((panel) => panel.id);
 
 export const kGuide: Panel =
   tabbed('guide', 'Guide', [kTourPanel, kCasesPanel], guideChoice());

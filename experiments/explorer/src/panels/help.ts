@@ -2,28 +2,25 @@
 //
 // Keyboard shortcuts, and the dialog that lists them.
 
-import { kLessons, lessonOf, openLesson } from '../lessons/lessons';
 import { linkOf } from '../link';
-import type { Page } from '../panel';
+import type { Page, Panel } from '../panel';
 import { button, html } from './dom';
 import { copyText } from './share';
 import { stepBy } from './steps';
 
 interface Shortcut { keys: string[]; text: string; act: () => void }
 
-function lessonBy({ store }: Page, places: number) {
-  const current = lessonOf(store.state.source);
-  const lesson = kLessons[current === null ? 0 : kLessons.indexOf(current) + places];
-  if (lesson !== undefined) openLesson(store, lesson);
+// The tour knows which lesson the reader is in, also after the triangle was moved.
+function turnLesson(to: 'before' | 'next') {
+  document.querySelector<HTMLButtonElement>(`[data-lesson=${to}]`)?.click();
 }
 
-function shortcutsOf(page: Page, instruments: readonly string[], openHelp: () => void,
+function shortcutsOf({ store }: Page, instruments: readonly Panel[], openHelp: () => void,
                      say: (text: string) => void): Shortcut[] {
-  const { store } = page;
   const exchanged = (): [string, string] => [store.state.clippers[1], store.state.clippers[0]];
   return [
     { keys: ['?'], text: 'this help', act: openHelp },
-    ...instruments.map((id, i) => ({ keys: [String(i + 1)], text: `panel ${id}`,
+    ...instruments.map(({ id, title }, i) => ({ keys: [String(i + 1)], text: `the panel “${title}”`,
                                      act: () => store.update({ instrument: id }) })),
     { keys: ['['], text: 'one plane back', act: () => stepBy(store, -1) },
     { keys: [']'], text: 'one plane further', act: () => stepBy(store, 1) },
@@ -31,8 +28,8 @@ function shortcutsOf(page: Page, instruments: readonly string[], openHelp: () =>
       act: () => store.update({ clippers: exchanged() }) },
     { keys: ['f'], text: 'float or double', act: () =>
       store.update({ scalar: store.state.scalar === 'float' ? 'double' : 'float' }) },
-    { keys: ['n'], text: 'next lesson', act: () => lessonBy(page, 1) },
-    { keys: ['p'], text: 'lesson before', act: () => lessonBy(page, -1) },
+    { keys: ['n'], text: 'next lesson', act: () => turnLesson('next') },
+    { keys: ['p'], text: 'lesson before', act: () => turnLesson('before') },
     { keys: ['l'], text: 'copy a link', act: () => {
       const address = `${location.href.replace(/#.*$/, '')}#${linkOf(store.state)}`;
       void copyText(address, null).then(say);
@@ -54,7 +51,7 @@ const isTyping = (target: EventTarget | null) =>
   (target.isContentEditable || /^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName));
 
 // Adds a button with the help to the header, and listens to the shortcuts.
-export function mountHelp(page: Page, instruments: readonly string[], header: HTMLElement) {
+export function mountHelp(page: Page, instruments: readonly Panel[], header: HTMLElement) {
   const line = (keys: string, text: string) =>
     html('div', {}, html('dt', {}, html('kbd', {}, keys)), html('dd', {}, text));
   const status = html('span', { role: 'status', class: 'feedback' });

@@ -25,6 +25,12 @@ const kMostApart = 24;          // spacings of x and y that differ by more aren'
 
 type Point = [number, number];
 
+// How far the numbers around x are apart; at a power of two the mean of both sides.
+function spacing(x: number, scalar: Scalar): number {
+  const { below, above } = neighbours(x, scalar);
+  return (above - below) / 2;
+}
+
 // NDC relative to the exact vertex, which is in the middle, to the picture.
 class Lens {
   readonly half: number; // of what is shown, in NDC
@@ -141,20 +147,16 @@ function ulpZoom(state: State): number {
   const exact = exactOf(state);
   const vertex = exact?.[chosenVertex(state, exact)];
   if (vertex === undefined) return 0;
-  const [x, y] = [0, 1].map((axis) => {
-    const { below, above } = neighbours(nearest(vertex.position[axis]!, state.scalar), state.scalar);
-    return (above - below) / 2;
-  });
-  const spacing = Math.max(Math.min(x!, y!), Math.max(x!, y!) / kMostApart);
-  const half = spacing * (kSize / 2) / kClear;
+  const [x, y] = [0, 1].map((axis) => spacing(nearest(vertex.position[axis]!, state.scalar),
+                                              state.scalar));
+  const step = Math.max(Math.min(x!, y!), Math.max(x!, y!) / kMostApart);
+  const half = step * (kSize / 2) / kClear;
   return Math.max(0, Math.min(kMostZoom, Math.round(Math.log2(kWhole / half))));
 }
 
 function scaleText(half: number, exact: ExactVertex, scalar: Scalar): string {
   const px = half * 2 * 3840 / 2;
-  const x = Math.abs(nearest(exact.position[0], scalar));
-  const { below, above } = neighbours(x, scalar);
-  const ulps = 2 * half / ((above - below) / 2);
+  const ulps = 2 * half / spacing(nearest(exact.position[0], scalar), scalar);
   return `The picture is ${short(2 * half, 3)} wide in NDC: ${short(px, 3)} pixels of 3840, ` +
          `${short(ulps, 3)} ulps of x.`;
 }

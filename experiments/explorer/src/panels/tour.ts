@@ -22,12 +22,12 @@ function mount(host: HTMLElement, { store }: Page) {
     const at = current === null ? -1 : kLessons.indexOf(current);
     return kLessons[at + places];
   };
-  const back = button('◀ Back', () => open(by(-1)));
+  const back = button('◀ Back', () => open(by(-1)), { 'data-lesson': 'before' });
   const again = button('↺ Start again', () => {
     if (current !== null) done.delete(current.id);
     open(current ?? undefined);
   });
-  const next = button('Next ▶', () => open(by(1)), { class: 'main' });
+  const next = button('Next ▶', () => open(by(1)), { class: 'main', 'data-lesson': 'next' });
   const heading = html('h3');
   const text = html('div', { class: 'lesson' });
   const task = html('p', { class: 'task', role: 'status', 'aria-live': 'polite' });

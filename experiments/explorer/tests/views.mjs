@@ -172,6 +172,22 @@ test('views: with shift a vertex goes along the view axis', onPage(async (page) 
   moved.forEach((value, i) => assert.ok(Math.abs(value / length - axis[i]) < 0.05, `${moved}`));
 }));
 
+test('views: a vertex does not jump when shift is let go', onPage(async (page) => {
+  const { x, y } = await middleOf(handle(page, 'view', 'C'));
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.keyboard.down('Shift');
+  await page.mouse.move(x, y - 60, { steps: 6 });
+  await frames(page);
+  const before = await numbersOf(page, 'C');
+  await page.keyboard.up('Shift');
+  await page.mouse.move(x + 1, y - 60);
+  await frames(page);
+  await page.mouse.up();
+  const moved = (await numbersOf(page, 'C')).map((value, i) => value - before[i]);
+  assert.ok(Math.hypot(...moved) < 0.2, `moved by ${moved}`); // a pixel is 0.05 there
+}));
+
 test('views: dragged numbers are short, with alt they are not rounded', onPage(async (page) => {
   await drag(page, 'view', 'A', 33, 21);
   const texts = async () => Promise.all([...'xyz'].map((n) => field(page, n, 'A').inputValue()));
@@ -250,6 +266,34 @@ test('views: a plot turns and zooms without moving the triangle', onPage(async (
   const fitted = await middleOf(handle(page, 'view', 'B'));
   assert.ok(Math.hypot(fitted.x - start.x, fitted.y - start.y) < 1);
   assert.deepEqual(await numbersOf(page, 'A'), before);
+}));
+
+test('views: what is turned stays so when the window changes its size', onPage(async (page) => {
+  const { x, y } = await middleOf(page.locator('[data-space=canonical] canvas'));
+  const fitted = await middleOf(handle(page, 'canonical', 'C'));
+  await page.mouse.move(x, y + 120);
+  await page.mouse.down();
+  await page.mouse.move(x + 70, y + 120, { steps: 4 });
+  await page.mouse.up();
+  await frames(page);
+  const turned = await middleOf(handle(page, 'canonical', 'C'));
+  await page.setViewportSize({ width: 1300, height: 800 });
+  await frames(page);
+  await page.setViewportSize({ width: 1400, height: 900 });
+  await frames(page);
+  await assertUnder(page, 'canonical', 'C', turned, 1);
+  assert.ok(Math.hypot(fitted.x - turned.x, fitted.y - turned.y) > 10);
+}));
+
+test('numbers: a switch that would leave no volume goes back and says why', onPage(async (page) => {
+  const parallel = page.getByLabel('parallel projection', { exact: true });
+  await parallel.check();
+  await page.getByLabel('near', { exact: true }).fill('0');
+  await page.keyboard.press('Enter');
+  await parallel.click();
+  await frames(page);
+  assert.ok(await parallel.isChecked());
+  assert.match(await parallel.evaluate((input) => input.validationMessage), /more than 0/);
 }));
 
 test('numbers: a field takes hex floats and says what is wrong', onPage(async (page) => {

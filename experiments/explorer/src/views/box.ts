@@ -36,16 +36,17 @@ function point([x, y, z]: Vec4, h: number): Vec4 {
   return [x, y, z, h];
 }
 
+export const kMarked = 0.22; // opacity of the plane that cuts
+
 // In the order of the planes: left, right, bottom, top, near, far.
 const kFaces = [[0, 2, 6, 4], [1, 3, 7, 5], [0, 1, 5, 4], [2, 3, 7, 6], [0, 1, 3, 2], [4, 5, 7, 6]];
 
-// Of the faces that are seen from outside, `seen` says which they are.
+// `seen` says which faces are seen from outside; one face may be marked.
 export function drawBox({ painter, colours }: Canvas, corners: readonly Vec4[],
-                        seen: readonly boolean[]) {
+                        seen: readonly boolean[], marked: number | null) {
   const colour = colours.volume;
-  for (const face of kFaces) {
-    painter.area(face.map((i) => corners[i]!), { colour, alpha: 0.045 });
-  }
+  kFaces.forEach((face, plane) => painter.area(
+    face.map((i) => corners[i]!), { colour, alpha: plane === marked ? kMarked : 0.045 }));
   for (let a = 0; a < 8; ++a) {
     for (const b of [a | 1, a | 2, a | 4].filter((other) => other !== a)) {
       const isSeen = kFaces.some((face, i) => seen[i] && face.includes(a) && face.includes(b));

@@ -4,12 +4,12 @@
 // that an edge through w = 0 is seen as it is: two rays that go out to infinity.
 
 import type { Frustum, Vec4, Vertex } from '../engine';
-import { isDrawn } from './layers';
 import { short } from '../floats';
 import { isInvertible, rowsOf, toViewPosition } from '../projection';
 import type { Scene } from '../scene';
 import type { State } from '../state';
 import { depthEnds, drawAxes, drawBox } from './box';
+import { isDrawn, lastPlane } from './layers';
 import { OrbitLens, type Vec3 } from './lens';
 import type { Canvas, Placed, Space } from './space';
 import { outsideOf } from './view_space';
@@ -47,7 +47,7 @@ function drawVolume(scene: Scene, canvas: Canvas) {
     (i & 1) !== 0 ? 1 : -1, (i & 2) !== 0 ? 1 : -1,
     sign * ((i & 4) !== 0 ? ends.far : ends.near), 1]);
   const [x, y, z] = lens.eye!;
-  drawBox(canvas, corners, outsideOf(frustum, [x, y, sign * z, 1]));
+  drawBox(canvas, corners, outsideOf(frustum, [x, y, sign * z, 1]), lastPlane(scene.state));
   const label = { paper: colours.paper, colour: colours.volume, dy: -9, align: 'center' } as const;
   const infinity = frustum.infiniteFar ? ' (\u221e)' : '';
   painter.text(corners[2]!, `near, z = ${short(ends.near)}`, label);

@@ -3,6 +3,7 @@
 // What the views draw of a scene, and which of it the reader has put out.
 
 import type { Scene } from '../scene';
+import type { State } from '../state';
 import { kPlanes } from '../engine';
 import type { ColourName } from './theme';
 
@@ -30,6 +31,11 @@ export function onLayers(listener: () => void) {
 
 export function planeName(plane: number): string {
   return kPlanes[plane] ?? `clip distance ${plane - kPlanes.length}`;
+}
+
+// The plane that has cut last, while there are planes that have not; null before and after that.
+export function lastPlane({ step, order }: State): number | null {
+  return step > 0 && step < order.length ? order[step - 1]! : null;
 }
 
 function stepName({ state }: Scene): string {

@@ -55,10 +55,12 @@ export const kLegend: Panel = {
     mountHeader();
     const switches = kLayers.map((layer) => ({ layer, ...layerSwitch(layer) }));
     const words = html('p', { class: 'words', role: 'status' });
-    host.append(html('div', { class: 'layers' }, ...switches.map((s) => s.element)), words);
+    const behind = html('span', { class: 'behind' }, html('i'), 'behind the eye, w < 0');
+    host.append(html('div', { class: 'layers' }, ...switches.map((s) => s.element), behind), words);
     let timer = 0;
     return (scene: Scene) => {
       for (const { layer, name } of switches) name.textContent = layerName(layer, scene);
+      behind.hidden = scene.clip.every((v) => !(v.position[3] < 0));
       window.clearTimeout(timer);
       timer = window.setTimeout(() => { words.textContent = describe(scene); },
                                 words.textContent === '' ? 0 : kQuiet);

@@ -29,10 +29,13 @@ export class Plot {
   private readonly lens: Lens;
   private scene: Scene | null = null;
   private held: Held | null = null;
+  private holder = -1; // the pointer that holds it
+  private withShift = false;
   private readonly pointers = new Map<number, Pixel>();
   private isWaiting = false;
   private isFitted = false;
   private isShown = false;
+  private isTurned = false; // by the reader, who then has the last word
   private corner: Pixel = { x: 0, y: 0 }; // of the plot in the window, when the pointer went down
 
   constructor(private readonly space: Space, private readonly page: Page) {
@@ -53,7 +56,7 @@ export class Plot {
   }
 
   show(scene: Scene) {
-    if (this.scene !== null && isOther(scene, this.scene)) this.isFitted = false;
+    if (this.scene !== null && isOther(scene, this.scene)) this.isFitted = this.isTurned = false;
     this.scene = scene;
     this.draw();
   }
@@ -85,7 +88,7 @@ export class Plot {
       this.findCorner();
       this.lens.zoom(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0015)),
                      this.pixel(event));
-      this.redraw();
+      this.turned();
     }, { passive: false });
     root.addEventListener('dblclick', () => this.fit());
     this.canvas.addEventListener('keydown', (event) => this.keyOnCanvas(event));
@@ -107,7 +110,8 @@ export class Plot {
     this.pointers.set(event.pointerId, pixel);
     this.root.setPointerCapture(event.pointerId);
     const vertex = this.handles.indexOf(event.target as HTMLElement);
-    if (vertex < 0) return;
+    if (vertex < 0 || this.held !== null) return;
+    this.holder = event.pointerId;
     this.hold(vertex, pixel, event.shiftKey);
     this.root.classList.add('dragging');
     // The handle keeps the focus that the capture would take from it.
@@ -115,31 +119,38 @@ export class Plot {
     this.handles[vertex]!.focus({ preventScroll: true });
   }
 
-  private hold(vertex: number, pixel: Pixel, isAlongAxis: boolean) {
+  // In a plane there is no view axis to move along.
+  private hold(vertex: number, pixel: Pixel, withShift: boolean) {
+    const isAlongAxis = withShift && this.lens.axes().away !== null;
     const scene = this.scene!;
     const point = pointOf(this.space, scene, vertex);
     if (point === null) return;
     const at = project(this.lens, [...point, 1]);
-    // A vertex that is not on the canvas comes under the pointer.
-    const isThere = at.w > 0 && Math.hypot(pixel.x - at.x, pixel.y - at.y) < 40;
+    // A vertex that is not on the canvas comes under the pointer when it is taken.
+    const isNear = Math.hypot(pixel.x - at.x, pixel.y - at.y) < 40;
+    const isThere = at.w > 0 && (isNear || this.held !== null);
     const grab = isThere ? { x: pixel.x - at.x, y: pixel.y - at.y } : { x: 0, y: 0 };
-    this.held = { vertex, numbers: scene.state.triangle[vertex]!.position, point, pixel, grab,
-                  isAlongAxis };
+    const numbers = scene.state.triangle[vertex]!.position;
+    this.held = { vertex, numbers, point, pixel, grab, isAlongAxis };
+    this.withShift = withShift;
   }
 
   private moved(event: PointerEvent) {
     const before = this.pointers.get(event.pointerId);
     if (before === undefined) return;
     const pixel = this.pixel(event);
-    if (this.held !== null) this.drag(pixel, event);
-    else if (this.pointers.size === 1) this.lens.turn(pixel.x - before.x, pixel.y - before.y);
-    else this.pinch(event.pointerId, before, pixel);
+    if (this.held !== null) {
+      if (event.pointerId === this.holder) this.drag(pixel, event);
+    } else {
+      if (this.pointers.size > 1) this.pinch(event.pointerId, before, pixel);
+      else this.lens.turn(pixel.x - before.x, pixel.y - before.y);
+      this.turned();
+    }
     this.pointers.set(event.pointerId, pixel);
-    if (this.held === null) this.redraw();
   }
 
   private drag(pixel: Pixel, event: PointerEvent) {
-    if (this.held!.isAlongAxis !== event.shiftKey) {
+    if (this.withShift !== event.shiftKey) {
       this.hold(this.held!.vertex, pixel, event.shiftKey);
     }
     const held = this.held!;
@@ -157,8 +168,9 @@ export class Plot {
 
   private up(event: PointerEvent) {
     this.pointers.delete(event.pointerId);
-    if (this.pointers.size > 0) return;
+    if (event.pointerId !== this.holder) return;
     this.held = null;
+    this.holder = -1;
     this.root.classList.remove('dragging');
   }
 
@@ -176,18 +188,23 @@ export class Plot {
     const middle = { x: this.painter.width / 2, y: this.painter.height / 2 };
     const turns: Record<string, [number, number]> =
       { ArrowLeft: [-20, 0], ArrowRight: [20, 0], ArrowUp: [0, -20], ArrowDown: [0, 20] };
-    const turn = turns[event.key];
-    if (turn) this.lens.turn(...turn);
-    else if (event.key === '+' || event.key === '=') this.lens.zoom(1.2, middle);
-    else if (event.key === '-') this.lens.zoom(1 / 1.2, middle);
-    else if (event.key === '0') this.fit();
-    else return;
+    const zooms: Record<string, number> = { '+': 1.2, '=': 1.2, '-': 1 / 1.2 };
+    const turn = turns[event.key], zoom = zooms[event.key];
+    if (turn === undefined && zoom === undefined && event.key !== '0') return;
     event.preventDefault();
+    if (event.key === '0') { this.fit(); return; }
+    if (turn !== undefined) this.lens.turn(...turn);
+    if (zoom !== undefined) this.lens.zoom(zoom, middle);
+    this.turned();
+  }
+
+  private turned() {
+    this.isTurned = true;
     this.redraw();
   }
 
   private fit() {
-    this.isFitted = false;
+    this.isFitted = this.isTurned = false;
     this.redraw();
   }
 
@@ -197,7 +214,7 @@ export class Plot {
     if (!this.isShown) return;
     this.painter.resize(width, height);
     this.lens.resize(width, height);
-    this.isFitted = false;
+    if (!this.isTurned) this.isFitted = false;
     this.draw(); // at once: a canvas that changes its size is empty
   }
 
@@ -224,8 +241,11 @@ export class Plot {
   private placeHandle(handle: HTMLElement, vertex: number) {
     const scene = this.scene!;
     const point = pointOf(this.space, scene, vertex);
-    handle.setAttribute('aria-valuetext', this.space.values(scene, vertex));
-    handle.setAttribute('aria-valuenow', String(point?.[this.lens.axes().right.index] ?? 0));
+    const words = this.space.values(scene, vertex);
+    if (handle.getAttribute('aria-valuetext') !== words) {
+      handle.setAttribute('aria-valuetext', words);
+      handle.setAttribute('aria-valuenow', String(point?.[this.lens.axes().right.index] ?? 0));
+    }
     handle.classList.toggle('selected', vertex === scene.state.selected);
     handle.classList.toggle('nowhere', point === null);
     if (point === null) return;

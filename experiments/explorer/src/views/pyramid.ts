@@ -6,8 +6,9 @@
 import type { Vec4 } from '../engine';
 import type { Scene } from '../scene';
 import type { State } from '../state';
-import { drawAxes } from './box';
+import { drawAxes, kMarked } from './box';
 import { along, finite, inClip, moved, shownBy } from './clip_space';
+import { lastPlane } from './layers';
 import { OrbitLens, type Vec3 } from './lens';
 import type { Canvas, Space } from './space';
 import { shownDepth } from './view_space';
@@ -31,8 +32,10 @@ function drawPyramid(scene: Scene, canvas: Canvas) {
   const colour = colours.volume;
   // The pyramid has no end; what is drawn of it has.
   const end = 1.2 * shownDepth(scene);
-  [[0, 2], [1, 3], [0, 1], [2, 3]].forEach(([a, b]) =>
-    painter.area([apex, corner(a!, end), corner(b!, end)], { colour, alpha: 0.06 }));
+  const marked = lastPlane(scene.state);
+  [[0, 2], [1, 3], [0, 1], [2, 3]].forEach(([a, b], plane) =>
+    painter.area([apex, corner(a!, end), corner(b!, end)],
+                 { colour, alpha: plane === marked ? kMarked : 0.06 }));
   for (let i = 0; i < 4; ++i) {
     const isSeen = outside[i & 1]! || outside[2 + (i >> 1)]!;
     painter.line([apex, corner(i, end)], { colour, width: isSeen ? 1.4 : 1,

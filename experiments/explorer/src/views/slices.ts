@@ -9,6 +9,7 @@ import type { Scene } from '../scene';
 import type { State } from '../state';
 import { depthEnds } from './box';
 import { along, finite, inClip, kNames, moved, shownBy } from './clip_space';
+import { lastPlane, planeName } from './layers';
 import { PlaneLens, type Vec3 } from './lens';
 import type { Canvas, Space } from './space';
 import { reachOf } from './view_space';
@@ -75,7 +76,7 @@ function drawScales(canvas: Canvas, name: string) {
   painter.text([left, high, 0, 1], 'w', { ...axis, dx: 9, dy: 10 });
 }
 
-function drawRegion(canvas: Canvas, range: Range) {
+function drawRegion(canvas: Canvas, range: Range, marked: string | null) {
   const { painter, colours } = canvas;
   const { left, right, low } = windowOf(canvas);
   const colour = colours.volume;
@@ -94,7 +95,7 @@ function drawRegion(canvas: Canvas, range: Range) {
   painter.line([[left, 0, 0, 1], [right, 0, 0, 1]], { colour: colours.faint, width: 1 });
   [range.low, range.high].forEach((slope, i) => {
     painter.line([[0, 0, 0, 1], [slope, 1, 0, 0]],
-                 { colour, width: range.isClamped[i] ? 0.8 : 1.6,
+                 { colour, width: range.isClamped[i] ? 0.8 : range.names[i] === marked ? 4 : 1.6,
                    dash: range.isHalfOpen[i] ? [6, 4] : [] });
     painter.line([[0, 0, 0, 1], [-slope, -1, 0, 0]], { colour, width: 0.8, dash: [3, 4] });
     nameOfLine(canvas, slope, range.names[i]!);
@@ -160,7 +161,9 @@ function slice(coordinate: 0 | 1 | 2): Space {
     ...shownBy((clip) => [clip[coordinate], clip[3], 0, 1]),
     drawVolume(scene: Scene, canvas: Canvas) {
       drawScales(canvas, name);
-      drawRegion(canvas, rangeOf(coordinate, scene.state));
+      const plane = lastPlane(scene.state);
+      drawRegion(canvas, rangeOf(coordinate, scene.state),
+                 plane === null ? null : planeName(plane));
       if (coordinate === 2 && scene.state.space === 'view') drawDepthLine(scene, canvas);
     },
     landmarks(scene: Scene) {

@@ -8,6 +8,7 @@ import type { Scene } from '../scene';
 import { short } from '../floats';
 import type { State } from '../state';
 import { depthEnds, drawAxes, drawBox, frustumCorners } from './box';
+import { lastPlane } from './layers';
 import { OrbitLens, type Vec3 } from './lens';
 import { beforeDivide, type Canvas, type Placed, type Space } from './space';
 
@@ -50,14 +51,15 @@ function move({ state }: Scene, held: Vec4, [x, y, z]: Vec3): Vec4 | null {
   return [to[0], to[1], to[2] + (held[2] - own), to[3]];
 }
 
-function drawVolume({ state: { frustum } }: Scene, canvas: Canvas) {
+function drawVolume({ state }: Scene, canvas: Canvas) {
+  const { frustum } = state;
   const { painter, lens, colours } = canvas;
   const faint = { colour: colours.faint, paper: colours.paper };
   const eye: Vec4 = [0, 0, 0, 1];
   if (isInvertible(frustum)) {
     const corners = frustumCorners(frustum, Infinity);
     const seen = outsideOf(frustum, toClipPosition(frustum, [...lens.eye!, 0]));
-    drawBox(canvas, corners, seen);
+    drawBox(canvas, corners, seen, lastPlane(state));
     if (!frustum.parallel) {
       for (const corner of corners.slice(0, 4)) {
         painter.line([eye, corner], { colour: colours.volume, width: 0.8, dash: [2, 4] });

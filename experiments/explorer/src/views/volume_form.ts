@@ -67,9 +67,15 @@ function frustumNumber(page: Page, name: FrustumNumber, label: string): Part {
   return { element, show };
 }
 
-function check(label: string, isOn: (state: State) => boolean, set: (on: boolean) => void,
-               isOff: (state: State) => boolean = () => false): Part {
-  const input = html('input', { type: 'checkbox', change: () => set(input.checked) });
+// `set` returns what forbids it, or nothing.
+function check(page: Page, label: string, isOn: (state: State) => boolean,
+               set: (on: boolean) => string, isOff: (state: State) => boolean = () => false): Part {
+  const change = () => {
+    input.setCustomValidity(set(input.checked));
+    input.reportValidity();
+    show(page.store.state);
+  };
+  const input = html('input', { type: 'checkbox', change });
   const element = html('label', { class: 'check' }, input, label);
   const show = (state: State) => {
     input.checked = isOn(state);
@@ -91,8 +97,9 @@ const kDepthTexts: Record<Depth, string> = {
   reversed: '1 to 0 (reversed)',
 };
 
-function setVolume(page: Page, change: Partial<Volume>) {
+function setVolume(page: Page, change: Partial<Volume>): '' {
   page.store.update({ volume: { ...page.store.state.volume, ...change } });
+  return '';
 }
 
 function depthParts(page: Page): Part[] {
@@ -102,20 +109,22 @@ function depthParts(page: Page): Part[] {
                   (s) => s.frustum.depth, (depth) => changed(page, { depth })),
     select('clip distances', counts, (s) => String(s.volume.clipDistances),
            (count) => setVolume(page, { clipDistances: Number(count) })),
-    check('parallel projection', (s) => s.frustum.parallel,
-          (parallel) => changed(page, { parallel, infiniteFar: false })),
-    check('far plane at infinity', (s) => s.frustum.infiniteFar,
-          (infiniteFar) => changed(page, { infiniteFar }), (s) => s.frustum.parallel),
-    check('clamp depth at near', (s) => s.volume.clampNear,
+    check(page, 'parallel projection', (s) => s.frustum.parallel, (parallel) =>
+      changed(page, { parallel, infiniteFar: false }) ? ''
+        : 'near must be more than 0 in perspective, and far more than near'),
+    check(page, 'far plane at infinity', (s) => s.frustum.infiniteFar, (infiniteFar) =>
+      changed(page, { infiniteFar }) ? '' : 'far must be more than near',
+          (s) => s.frustum.parallel),
+    check(page, 'clamp depth at near', (s) => s.volume.clampNear,
           (clampNear) => setVolume(page, { clampNear })),
-    check('clamp depth at far', (s) => s.volume.clampFar,
+    check(page, 'clamp depth at far', (s) => s.volume.clampFar,
           (clampFar) => setVolume(page, { clampFar })),
   ];
 }
 
 function openSides(page: Page): Part {
   const sides = ['left', 'right', 'bottom', 'top'] as const;
-  const parts = sides.map((side) => check(side, (s) => s.volume.openSides[side], (on) =>
+  const parts = sides.map((side) => check(page, side, (s) => s.volume.openSides[side], (on) =>
     setVolume(page, { openSides: { ...page.store.state.volume.openSides, [side]: on } })));
   const element = html('fieldset', { class: 'open_sides' }, html('legend', {}, 'half-open sides'),
                        ...parts.map((p) => p.element));

@@ -31,6 +31,8 @@ packages=(
 # shellcheck disable=SC2034  # for the scripts
 python_packages=(python3-dev python3-numpy python3-venv pybind11-dev) # of the Python package
 # shellcheck disable=SC2034
+explorer_packages=(emscripten) # of the explorer, beside node and npm (set_up_npm)
+# shellcheck disable=SC2034
 sanitize_packages=(clang-14 libclang-rt-14-dev) # of the preset `sanitize`
 
 # One line per step, with the seconds since the start.
@@ -84,6 +86,25 @@ install_packages() {
     fail "packages: apt-get failed (the end of $log is above)"
   }
   say "packages: installed"
+}
+
+# Node and its packages for the explorer. Whoever has node from elsewhere has npm with it, and Debian's
+# would not go together with that.
+set_up_npm() {
+  local folder=$root/experiments/explorer log=$root/build/npm.log node_packages=()
+  command -v node >/dev/null || node_packages+=(nodejs)
+  command -v npm >/dev/null || node_packages+=(npm)
+  [[ ${#node_packages[@]} -eq 0 ]] || install_packages "${node_packages[@]}"
+  if [[ $folder/node_modules/.package-lock.json -nt $folder/package-lock.json ]]; then
+    say "npm: the packages of package-lock.json are there"
+    return
+  fi
+  mkdir -p "$root/build"
+  say "npm: ci in experiments/explorer (log: $log)"
+  npm ci --prefix "$folder" --no-audit --no-fund >"$log" 2>&1 </dev/null || {
+    tail -n 20 "$log" >&2
+    fail "npm: failed (the end of $log is above)"
+  }
 }
 
 # How many compilers may run at once: one per core and per 2 GB of memory, since sources that use

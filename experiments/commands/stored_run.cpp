@@ -194,7 +194,8 @@ void add_report_command(CLI::App& app, Action& action) {
       "Write the page of a run's results (report.html) again from its store",
       R"(The run's answers, then tables to sort and filter, plots, pictures, commands. The page shows the
 pictures and loads the long tables that lie beside it. `clipscope run` writes it at its end; of a
-run that was interrupted it shows what was done.)");
+run that was interrupted it shows what was done. Where explorer.html lies in the folder, which
+`experiments/run explorer` makes, the page leads to it, and worst inputs open in it.)");
   add_option(command, "--run", options.run, "DIR", "Folder of the run's results [results]");
   add_single_file_option(command, options.form);
 }

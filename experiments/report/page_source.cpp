@@ -7,6 +7,7 @@
 
 #include "experiments/machine/files.hpp"
 #include "experiments/render/webp.hpp"
+#include "experiments/report/explorer_link.hpp"
 #include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments {
@@ -77,6 +78,11 @@ std::string links_to(const StoredFigure& figure) {
 PageSource::PageSource(const ResultsStore& store, fs::path directory, PageForm form)
     : store_(store), directory_(std::move(directory)), form_(form) {
   for (const StoredExperiment& e : store.experiments()) parts_.insert(e.name);
+}
+
+bool PageSource::has_explorer() const {
+  std::error_code ignored;
+  return form_ == PageForm::folder && fs::exists(directory_ / kExplorerFile, ignored);
 }
 
 std::string PageSource::table(const Table& table, const std::string& experiment,

@@ -23,6 +23,9 @@ class PageSource {
   PageSource(const ResultsStore& store, std::filesystem::path directory, PageForm form);
 
   const ResultsStore& store() const { return store_; }
+  // Whether the explorer's page lies beside this one, to lead to.
+  bool has_explorer() const;
+
   // What the page has sections of.
   const std::set<std::string>& parts() const { return parts_; }
 

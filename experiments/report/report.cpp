@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "experiments/machine/files.hpp"
+#include "experiments/report/explorer_link.hpp"
 #include "experiments/report/page_assets.hpp"
 #include "experiments/report/page_source.hpp"
 #include "experiments/store/run_folder.hpp"
@@ -71,6 +72,25 @@ Table worst_inputs_table(const std::string& experiment, const std::vector<WorstI
   return table;
 }
 
+// Folded away. The inputs lead to the explorer where it is there.
+std::string worst_inputs_html(const PageSource& source, const std::string& experiment) {
+  const std::vector<WorstInput> inputs = source.store().worst_inputs(experiment);
+  if (inputs.empty()) return "";
+  const Table table = worst_inputs_table(experiment, inputs);
+  TableSetting setting;
+  if (source.has_explorer()) {
+    setting.more = [&](std::size_t row, std::size_t column) -> std::string {
+      if (table.columns()[column].key != "input") return "";
+      const std::string fragment = explorer_fragment(experiment, inputs[row]);
+      if (fragment.empty()) return "";
+      return fmt::format(" <a class=\"explore\" href=\"{}#{}\">see it in the explorer</a>",
+                         kExplorerFile, xml_escaped(fragment));
+    };
+  }
+  return fmt::format("<details><summary>{}</summary>\n{}</details>\n", xml_escaped(table.title()),
+                     source.table(table, experiment, setting));
+}
+
 std::string section_html(const PageSource& source, const StoredExperiment& experiment) {
   const std::string& name = experiment.name;
   std::string html = fmt::format(
@@ -97,13 +117,7 @@ std::string section_html(const PageSource& source, const StoredExperiment& exper
   }
   html += tally + finding_html(experiment) + plots + main_table + tables;
   html += album_html(pictures, count);
-  const std::vector<WorstInput> inputs = source.store().worst_inputs(name);
-  if (!inputs.empty()) {
-    const Table table = worst_inputs_table(name, inputs);
-    html += fmt::format("<details><summary>{}</summary>\n{}</details>\n",
-                        xml_escaped(table.title()), source.table(table, name));
-  }
-  return html + command_html(experiment.command) + "</section>\n";
+  return html + worst_inputs_html(source, name) + command_html(experiment.command) + "</section>\n";
 }
 
 std::string run_html(const ResultsStore& store) {
@@ -121,7 +135,8 @@ std::string run_html(const ResultsStore& store) {
 }
 
 // A first pass says so before anything else, and so does a run on a machine that was busy.
-std::string header_html(const ResultsStore& store) {
+std::string header_html(const PageSource& source) {
+  const ResultsStore& store = source.store();
   const RunInfo run = store.run_info();
   const Interruptions runs = store.interruptions();
   std::string html = fmt::format("<header>\n<h1>{}</h1>\n", kPageQuestion);
@@ -134,8 +149,14 @@ std::string header_html(const ResultsStore& store) {
         "<p class=\"banner\"><b>Not settled.</b> The machine was busy: {}. Times and ratios may move.</p>\n",
         runs.text());
   }
-  return html +
-         "<p class=\"subtitle\">Results of one run of clipscope: clippers in view space, clip space and the canonical view volume, judged by exact arithmetic.</p>\n</header>\n";
+  html +=
+      "<p class=\"subtitle\">Results of one run of clipscope: clippers in view space, clip space and the canonical view volume, judged by exact arithmetic.";
+  if (source.has_explorer()) {
+    html += fmt::format(
+        " <a href=\"{}\">The explorer</a> shows what they do to one triangle, and the worst inputs below open in it.",
+        kExplorerFile);
+  }
+  return html + "</p>\n</header>\n";
 }
 
 std::string contents_html(const Experiments& experiments, bool has_answers) {
@@ -185,7 +206,7 @@ ReportPage report_page(const ResultsStore& store, const std::filesystem::path& d
   Experiments experiments = store.experiments();
   if (!answers.empty()) std::erase_if(experiments, is_called(kAnswers));
   std::stable_partition(experiments.begin(), experiments.end(), is_called(kClaims));
-  std::string body = contents_html(experiments, !answers.empty()) + header_html(store) +
+  std::string body = contents_html(experiments, !answers.empty()) + header_html(source) +
                      "<main id=\"content\">\n" + answers + "<details" +
                      (answers.empty() ? " open" : "") + "><summary>The run</summary>\n" +
                      run_html(store) + "</details>\n";

@@ -26,7 +26,8 @@ struct ReportPage {
 
 // All results of a run: its answers and claims, whatever their place among the experiments, then
 // the others with finding, plots, tables, pictures and the command that does them again. Figures
-// come from the folder; the page says which can't be read. Errors: InputError if the store is
+// come from the folder; the page says which can't be read. Where explorer.html lies there, the page
+// leads to it, and the worst inputs open in it. Errors: InputError if the store is
 // damaged; OutputError if a picture can't be encoded.
 ReportPage report_page(const ResultsStore& store, const std::filesystem::path& directory,
                        PageForm form = PageForm::folder);

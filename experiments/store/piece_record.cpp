@@ -23,7 +23,11 @@ WorstInput input_of(const Contestant& contestant, const std::string& measure, do
 
 WorstInput worst_input(const Selection& selection, const Scene& scene, const Contestant& contestant,
                        const WorstTriangle& worst) {
-  return input_of(contestant, worst.measure, worst.error, hex_line(worst.triangle),
+  const View& view = worst.view;
+  const std::string input =
+      fmt::format("--space view {} --depth {} --attributes {} : {}", projection_options(view),
+                  depth_option(view.frustum.depth), kSceneAttributes, hex_line(worst.triangle));
+  return input_of(contestant, worst.measure, worst.error, input,
                   fmt::format("clipscope explain --scene {} --view '{}' --triangle {} --seed {}{}",
                               scene.name, worst.view.label, worst.number, selection.seed,
                               selection.quick ? " --quick" : ""));
@@ -32,10 +36,9 @@ WorstInput worst_input(const Selection& selection, const Scene& scene, const Con
 WorstInput worst_input(const Contestant& contestant, const std::string& replay_text,
                        const std::string& measure, double error, std::string_view command) {
   const std::size_t colon = replay_text.find(" : ");
-  const std::string input = replay_text.substr(colon + 3);
-  return input_of(
-      contestant, measure, error, input,
-      fmt::format("echo '{}' | clipscope {} {}", input, command, replay_text.substr(0, colon)));
+  return input_of(contestant, measure, error, replay_text,
+                  fmt::format("echo '{}' | clipscope {} {}", replay_text.substr(colon + 3), command,
+                              replay_text.substr(0, colon)));
 }
 
 }  // namespace clipscope::experiments

@@ -29,7 +29,9 @@ struct WorstInput {
   std::string clipper, scalar;
   std::string measure;  // what `error` is, with its unit: "position_px"
   double error = 0;
-  std::string input;   // hex floats, as `clipscope explain` reads them
+  // Options that `clipscope explain` takes, " : ", and hex floats as it reads them; of a crack both
+  // triangles, without options.
+  std::string input;
   std::string replay;  // the command that shows it
 };
 

@@ -47,7 +47,7 @@ CREATE TABLE worst_input(     -- on which a contestant was farthest off
   scalar TEXT NOT NULL,
   measure TEXT NOT NULL,      -- what error is, with its unit
   error,
-  input TEXT NOT NULL,        -- hex floats
+  input TEXT NOT NULL,        -- options of `clipscope explain`, ' : ', hex floats
   replay TEXT NOT NULL);      -- the command that shows it
 CREATE TABLE figure(
   file TEXT PRIMARY KEY,      -- relative to the folder of the run; of a plot its SVG

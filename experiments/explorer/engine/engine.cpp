@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The clippers of spaces/ behind plain C functions, for a page that runs them as WebAssembly.
-//
-// Numbers travel as doubles through two blocks of memory, which hold a float exactly. Each call
-// reads the volume set last and the triangle in numbers(), and writes to results(). With `is_double`
-// 0 every number is rounded to float first; the caller gives floats, so that nothing is lost.
+// The clippers of spaces/ behind plain C functions.
+#include "experiments/explorer/engine/engine.hpp"
+
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -17,8 +15,6 @@
 namespace clipscope::explorer {
 namespace {
 
-constexpr int kAttributes = 4;
-constexpr int kVertexNumbers = 4 + kAttributes;  // x y z w (clip) or x y z and nothing (view)
 constexpr int kMostVertices = kMaxPolygonVertices;
 constexpr int kNotApplicable = -1;
 
@@ -73,6 +69,7 @@ int clip(bool from_clip_space) {
       return kNotApplicable;
     }
   } else if constexpr (ClipsViewSpace<C, T, kAttributes>) {
+    if (!is_valid(frustum_cast<T>(g_frustum))) return kNotApplicable;
     C{}(projection<T>(), triangle<Space::view, T>(), polygon);
   } else {
     return kNotApplicable;
@@ -94,12 +91,22 @@ constexpr std::array<ClipFunction, sizeof...(Cs)> functions_of(TypeList<Cs...>) 
 }
 constexpr auto kFunctions = functions_of(AllClippers{});
 
+// The name of the type, from the function's own as GCC and clang write it: "... [C = TYPE]" or
+// "... [with C = TYPE; ...]".
+template <class C>
+std::string_view type_name() {
+  const std::string_view text = __PRETTY_FUNCTION__;
+  const std::string_view before = "C = ";
+  const std::size_t from = text.find(before) + before.size();
+  return text.substr(from, text.find_first_of(";]", from) - from);
+}
+
 template <class C>
 std::string description() {
   const auto text = [](std::string_view s) { return '"' + std::string(s) + '"'; };
   const auto flag = [](bool b) { return std::string(b ? "true" : "false"); };
   return "{\"name\":" + text(C::name) + ",\"summary\":" + text(C::summary) +
-         ",\"source\":" + text(C::source) +
+         ",\"source\":" + text(C::source) + ",\"type\":" + text(type_name<C>()) +
          ",\"clipSpace\":" + flag(ClipsClipSpace<C, float, kAttributes>) +
          ",\"double\":" + flag(ClipsViewSpace<C, double, kAttributes>) + "}";
 }
@@ -111,7 +118,6 @@ std::string descriptions_of(TypeList<Cs...>) {
   return r + "]";
 }
 
-// Vertices, each with its distances to all planes of the volume (14 numbers) and its outcode.
 template <Scalar T>
 void write_distances(bool from_clip_space) {
   double* to = g_results.data();
@@ -125,8 +131,6 @@ void write_distances(bool from_clip_space) {
   }
 }
 
-// The polygon in clip space before the first and after each of the planes: its number of vertices,
-// then they.
 template <Scalar T>
 void write_steps(bool from_clip_space, const std::uint8_t* planes, int count) {
   using V = MeasuredVertex<Space::clip, T, kAttributes>;
@@ -153,15 +157,15 @@ void write_steps(bool from_clip_space, const std::uint8_t* planes, int count) {
 
 extern "C" {
 
-// Three vertices: x y z w and four attributes each. In view space w is not read.
 double* clipscope_numbers() { return clipscope::explorer::g_numbers.data(); }
 double* clipscope_results() { return clipscope::explorer::g_results.data(); }
 
-// The clippers as JSON, in the order of their numbers.
 const char* clipscope_clippers() {
   static const std::string text = clipscope::explorer::descriptions_of(clipscope::AllClippers{});
   return text.c_str();
 }
+
+int clipscope_clipper_count() { return static_cast<int>(clipscope::explorer::kFunctions.size()); }
 
 void clipscope_set_frustum(int parallel, double left, double right, double bottom, double top,
                            double near, double far, int infinite_far, double shear_x,
@@ -189,13 +193,11 @@ void clipscope_set_volume(int clamp_near, int clamp_far, int clip_distances, int
                                    (open_sides & 4) != 0, (open_sides & 8) != 0};
 }
 
-// The number of vertices in results() (x y z 1/w and attributes), or -1: not applicable.
 int clipscope_clip(int clipper, int is_double, int from_clip_space) {
   using namespace clipscope::explorer;
   return kFunctions[static_cast<std::size_t>(clipper)](is_double != 0, from_clip_space != 0);
 }
 
-// The three vertices in clip space, to results().
 void clipscope_project(int is_double) {
   using namespace clipscope::explorer;
   if (is_double) {

@@ -50,6 +50,7 @@ export interface Clipper {
   name: string;
   summary: string;
   source: string;
+  type: string;       // its name in C++
   clipSpace: boolean; // takes clip-space triangles
   double: boolean;    // exists in double
 }

@@ -2,19 +2,16 @@
 //
 // The page: loads the clippers, mounts the panels and shows them every scene.
 
+import { loadCatalogue } from './catalogue';
+import { embedded } from './embedded';
 import { Engine } from './engine';
+import { followLink } from './follow_link';
 import type { Panel } from './panel';
 import { kPanels, kViews } from './panels';
+import { kInstrumentPanels } from './panels/groups';
+import { mountHelp } from './panels/help';
 import { sceneOf } from './scene';
 import { initialState, Store } from './state';
-
-// The bytes of a script element of this page: compressed by gzip, in base64.
-async function embedded(id: string): Promise<ArrayBuffer> {
-  const text = document.getElementById(id)!.textContent!;
-  const packed = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Response(stream).arrayBuffer();
-}
 
 function section(panel: Panel, parent: HTMLElement): HTMLElement {
   const host = document.createElement('section');
@@ -29,7 +26,10 @@ function section(panel: Panel, parent: HTMLElement): HTMLElement {
 async function start() {
   const engine = await Engine.load(await embedded('engine'));
   const store = new Store(initialState());
-  const page = { engine, store };
+  const page = { engine, store, catalogue: await loadCatalogue() };
+  followLink(store, { clippers: engine.clippers.map((clipper) => clipper.name),
+                      panels: kInstrumentPanels.map((panel) => panel.id) });
+  mountHelp(page, kInstrumentPanels, document.querySelector('header')!);
   const mounted = (panels: readonly Panel[], id: string) =>
     panels.map((panel) => panel.mount(section(panel, document.getElementById(id)!), page));
   const shows = [...mounted(kViews, 'views'), ...mounted(kPanels, 'panels')];

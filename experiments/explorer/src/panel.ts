@@ -2,6 +2,7 @@
 //
 // What a part of the page is: it is mounted once into a host element and shown every scene.
 
+import type { HardCase } from './catalogue';
 import type { Engine } from './engine';
 import type { Scene } from './scene';
 import type { Store } from './state';
@@ -9,6 +10,7 @@ import type { Store } from './state';
 export interface Page {
   engine: Engine;
   store: Store;
+  catalogue: readonly HardCase[];
 }
 
 // Fills the host and returns what shows a scene there. The host is a <section> with a heading.

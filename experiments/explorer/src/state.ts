@@ -3,17 +3,23 @@
 // What the page shows, as one value, and the store that tells everybody when it changes. What is
 // derived from it (scene.ts) is not in it; what a link keeps (link.ts) is all of it.
 
-import type { Question, Scalar } from './engine';
+import { kPlanes } from './engine';
+import type { Question, Scalar, Volume } from './engine';
 
 export interface State extends Question {
   scalar: Scalar;
   clippers: [string, string]; // by name: the two that are laid over each other
-  order: number[];            // of planes, step by step
+  order: number[];            // of all planes that cut, step by step
   step: number;               // 0: the whole triangle; order.length: after all planes
   selected: number;           // the vertex of the triangle that keys move: 0, 1 or 2
   magnified: number | null;   // the vertex of the first answer under the magnifier
+  zoom: number;               // of the magnifier: it shows 2^-zoom of the whole screen
+  instrument: string;         // the panel that is open
   source: string;             // what the triangle is: a hard case's or a lesson's name, or ''
 }
+
+// Below it the doubles next to 1 are some ten pixels apart.
+export const kMostZoom = 58;
 
 export function initialState(): State {
   return {
@@ -23,9 +29,9 @@ export function initialState(): State {
               openSides: { left: false, right: false, bottom: false, top: false } },
     space: 'view',
     triangle: [
-      { position: [-2, -1, -4, 0], attributes: [0, 0, 0, 0] },
-      { position: [3, -0.5, -2, 0], attributes: [1, 0, 0, 0] },
-      { position: [0, 2.5, -5, 0], attributes: [0, 1, 0, 0] },
+      { position: [-3, -2, -5, 0], attributes: [0, 0, 0, 0] },
+      { position: [6, -1, -4, 0], attributes: [1, 0, 0, 0] },
+      { position: [-1, 5, -8, 0], attributes: [0, 1, 0, 0] },
     ],
     scalar: 'float',
     clippers: ['homogeneous/sutherland_hodgman', 'cvv/naive'],
@@ -33,8 +39,30 @@ export function initialState(): State {
     step: 6,
     selected: 0,
     magnified: null,
+    zoom: 0,
+    instrument: 'clippers',
     source: '',
   };
+}
+
+export function planesThatCut(volume: Volume): number[] {
+  const cuts = (plane: number) => !(kPlanes[plane] === 'near' && volume.clampNear) &&
+                                  !(kPlanes[plane] === 'far' && volume.clampFar);
+  return Array.from({ length: kPlanes.length + volume.clipDistances }, (_, p) => p).filter(cuts);
+}
+
+// As a step: that after all planes, however many there are.
+export const kAllPlanes = kPlanes.length + 8;
+
+// The state with an order of just the planes that cut: those that have come to be are last. Where
+// all planes had cut, all do.
+function withPlanes(state: State): State {
+  const planes = planesThatCut(state.volume);
+  const order = state.order.filter((p) => planes.includes(p));
+  order.push(...planes.filter((p) => !order.includes(p)));
+  const isSame = order.length === state.order.length && order.every((p, i) => p === state.order[i]);
+  const step = state.step >= state.order.length ? order.length : Math.min(state.step, order.length);
+  return isSame && step === state.step ? state : { ...state, order, step };
 }
 
 type Listener = (state: State, before: State) => void;
@@ -53,9 +81,9 @@ export class Store {
     return this.current;
   }
 
-  // Changes some of it. Values are replaced, never changed in place.
+  // Changes some of it. Values are replaced, never changed in place; the order follows the volume.
   update(change: Partial<State>) {
-    this.current = { ...this.current, ...change };
+    this.current = withPlanes({ ...this.current, ...change });
     if (this.isWaiting) return;
     this.isWaiting = true;
     requestAnimationFrame(() => this.show());

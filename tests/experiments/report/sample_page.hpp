@@ -98,6 +98,7 @@ struct SampleExperiment {
   StoredExperiment experiment;
   std::vector<Table> tables = {};
   std::vector<SampleFigure> figures = {};
+  std::vector<WorstInput> worst_inputs = {};
 };
 
 using SampleRun = std::vector<SampleExperiment>;
@@ -180,6 +181,17 @@ inline Table sample_effects() {
   return table;
 }
 
+// A triangle that the explorer can show, and a segment, which it can't.
+inline std::vector<WorstInput> sample_worst_inputs() {
+  return {
+      {"cvv/naive", "float", "position_px", 12.5,
+       "--space view --frustum -0x1p+0,0x1p+0,-0x1p+0,0x1p+0,0x1p+0,0x1.4p+3 --depth gl --attributes 4 : -0x1p+1 -0x1p+0 -0x1p+2 0x1p+0 0x0p+0 0x0p+0 0x1p+0 0x1.8p+1 -0x1p-1 0x1p+1 0x0p+0 0x1p+0 0x0p+0 0x1p+0 0x0p+0 0x1.4p+1 -0x1.4p+2 0x0p+0 0x0p+0 0x1p+0 0x1p+0",
+       "clipscope explain --scene floor --triangle 3"},
+      {"homogeneous/liang_barsky", "float", "position_px", 0.5,
+       "--space clip --primitive segment --depth gl --attributes 0 : 0x1p+1 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0",
+       "clipscope clip --primitive segment"}};
+}
+
 inline SampleExperiment sample_answers(const std::string& hero) {
   return {
       {"answers", "Where, and at what price?", "clipscope run answers", "In clip space.", 1, true},
@@ -201,6 +213,7 @@ inline SampleRun sample_run(const std::vector<std::string>& plots) {
   sample.figures.push_back(
       {{FigureKind::picture, "sample/a.png", "", "A \"picture\""}, sample_png()});
   sample.figures.push_back({{FigureKind::picture, "sample/gone.png", "", "Not there"}, ""});
+  sample.worst_inputs = sample_worst_inputs();
   const SampleExperiment unfinished{{"unfinished", "", "", "", 0, false}};
   const SampleExperiment claims{
       {"claims", "Which claims hold?", "clipscope run claims", "One of five.", 0, true},
@@ -216,8 +229,12 @@ inline ResultsStore store_of(const SampleRun& run, const std::filesystem::path& 
                       {{"machine", "a processor <fast>"}, {"commit", "0123abc"}, {"flags", ""}}),
       file);
   std::int64_t position = 0;
-  for (const auto& [experiment, tables, figures] : run) {
+  for (const auto& [experiment, tables, figures, worst_inputs] : run) {
     recorder.begin(experiment, position++);
+    const auto& worst = worst_inputs;
+    if (!worst.empty()) {
+      recorder.record("all", {}, [&](PieceRecord& record) { record.worst_inputs = worst; });
+    }
     for (const Table& table : tables) recorder.add(table);
     for (const auto& [figure, bytes] : figures) {
       recorder.add(figure);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/report/explorer_link.hpp"
 #include "experiments/report/html.hpp"
 #include "experiments/report/report.hpp"
 #include "tests/catch.hpp"
@@ -233,6 +234,29 @@ TEST_CASE("page: nothing of the results is read as the template's") {
   SampleRun content = sample_run({});
   content[0].experiment.finding = "{{script}} {{nothing}}";
   CHECK(contains(page_of(content), "{{script}} {{nothing}}"));
+}
+
+TEST_CASE("page: it leads to the explorer where that lies beside it, and only there") {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("clipscope-explorer-" + std::to_string(getpid()));
+  const ResultsStore store = store_of(sample_run({}), folder);
+  const auto page = [&](PageForm form) { return report_page(store, folder, form).html; };
+  CHECK_FALSE(contains(page(PageForm::folder), "explorer"));
+  write_file(folder / "explorer.html", "");
+  const std::string html = page(PageForm::folder);
+  CHECK(contains(html, "<a href=\"explorer.html\">The explorer</a>"));
+  const std::string fragment = explorer_fragment("sample", sample_worst_inputs().front());
+  REQUIRE_FALSE(fragment.empty());
+  std::size_t escaped = 0;  // of its ampersands, as an attribute has them
+  for (std::size_t at = html.find("explorer.html#v1&amp;"); at < html.find('"', at + 1);
+       at = html.find("&amp;", at + 1)) {
+    ++escaped;
+  }
+  CHECK(escaped > 5);
+  CHECK(contains(html, "\">see it in the explorer</a></td>"));
+  CHECK(html.find("see it in the explorer") == html.rfind("see it in the explorer"));
+  CHECK_FALSE(contains(page(PageForm::single_file), "explorer.html"));
+  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("page: a folder that is a file is an error that names it") {

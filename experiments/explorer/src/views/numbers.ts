@@ -124,9 +124,8 @@ export const kNumbers: Panel = {
     const parts = [positions(page), attributes(page)];
     const volume = volumeForm(page);
     const remark = html('p', { class: 'remark', role: 'status' });
-    host.append(html('div', { class: 'numbers' },
-      html('div', { class: 'given' }, space.element, parts[0]!.element, remark,
-           parts[1]!.element), volume.element));
+    host.append(space.element, html('div', { class: 'numbers' },
+      html('div', {}, parts[0]!.element, remark, parts[1]!.element), volume.element));
     return (scene: Scene) => {
       shown = scene;
       space.show(scene.state.space);

@@ -17,5 +17,6 @@ while IFS= read -r file; do
       status=1
     fi
   done < <(awk '$1 ~ /^```/ { code = !code } !code' "$file" | grep -oE '\]\([^)]+\)' | sed -E 's/^\]\(([^ )]*).*/\1/')
-done < <(find . -name '*.md' -not -path './build/*' -not -path './results/*' -not -path './.git/*')
+done < <(find . -name '*.md' -not -path './build/*' -not -path './results/*' -not -path './.git/*' \
+  -not -path '*/node_modules/*')
 exit $status

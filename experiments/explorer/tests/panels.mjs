@@ -331,7 +331,7 @@ test('everything that can be pressed or written to has a name', onPage(async (pa
   for (const id of [...kPanels, 'cases', 'tour']) {
     await openPanel(page, id);
     const nameless = await page.locator(`#${id}`).evaluate((panel) =>
-      [...panel.querySelectorAll('button, input, select, canvas, svg[role=img], [tabindex="0"]')]
+      [...panel.querySelectorAll('button, input, select, [role=img], [tabindex="0"]')]
         .filter((e) => !(e.getAttribute('aria-label') || e.textContent.trim() || e.labels?.length > 0))
         .map((e) => e.outerHTML));
     assert.deepEqual(nameless, [], id);

@@ -18,7 +18,7 @@ const kTexels = 64;  // of the texture, to a side
 const kChecks = 8;   // of the board, to a side
 
 type Colour = readonly [number, number, number];
-type Shade = (i: number) => Colour | null; // of pixel i; null: nothing is there
+type Shade = (i: number) => number; // of pixel i, packed; 0: nothing is there
 
 // As the browser writes it: rgb(1, 2, 3).
 function colourOf(name: ColourName): Colour {
@@ -26,38 +26,41 @@ function colourOf(name: ColourName): Colour {
   return [r, g, b];
 }
 
-const mixed = (a: Colour, b: Colour, t: number): Colour =>
-  [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])];
+// As an image holds them, the red first: the first byte is the lowest.
+const packed = (r: number, g: number, b: number) => (255 << 24) | (b << 16) | (g << 8) | r;
 
 function paint(canvas: HTMLCanvasElement, shade: Shade) {
   const context = canvas.getContext('2d')!;
   const image = context.createImageData(kSize, kSize);
-  for (let i = 0; i < kSize * kSize; ++i) {
-    const colour = shade(i);
-    if (colour !== null) image.data.set([...colour, 255], 4 * i);
-  }
+  const pixels = new Int32Array(image.data.buffer);
+  for (let i = 0; i < pixels.length; ++i) pixels[i] = shade(i);
   context.putImageData(image, 0, 0);
 }
 
-function board(field: Field, dark: Colour, light: Colour): Shade {
+function board({ u, v }: Field, dark: Colour, light: Colour): Shade {
+  const odd = packed(...dark), even = packed(...light);
   return (i) => {
-    const u = field.u[i]!, v = field.v[i]!;
-    if (Number.isNaN(u) || Number.isNaN(v)) return null;
-    return (Math.floor(u * kChecks) + Math.floor(v * kChecks)) % 2 === 0 ? light : dark;
+    if (Number.isNaN(u[i]! + v[i]!)) return 0;
+    return (Math.floor(u[i]! * kChecks) + Math.floor(v[i]! * kChecks)) % 2 === 0 ? even : odd;
   };
 }
 
 function differences({ correct, affine }: Fields, most: number, none: Colour, full: Colour): Shade {
+  const scale = most > 0 ? 1 / most : 0;
   return (i) => {
     const d = Math.max(Math.abs(correct.u[i]! - affine.u[i]!),
                        Math.abs(correct.v[i]! - affine.v[i]!));
-    return Number.isNaN(d) ? null : mixed(none, full, most > 0 ? d / most : 0);
+    if (Number.isNaN(d)) return 0;
+    const t = d * scale;
+    return packed(none[0] + t * (full[0] - none[0]), none[1] + t * (full[1] - none[1]),
+                  none[2] + t * (full[2] - none[2]));
   };
 }
 
 function picture(caption: string) {
-  const canvas = html('canvas', { width: kSize, height: kSize, role: 'img', 'aria-label': caption });
-  return { canvas, element: html('figure', {}, canvas, html('figcaption', {}, caption)) };
+  const canvas = html('canvas', { width: kSize, height: kSize });
+  return { canvas, element: html('figure', { role: 'img', 'aria-label': caption }, canvas,
+                                 html('figcaption', {}, caption)) };
 }
 
 function sentence(polygon: readonly Vertex[], most: number): string {

@@ -85,7 +85,7 @@ function marks(x: Axis, y: Axis, vertices: readonly Mark[]): SVGElement {
 }
 
 function plot(title: string) {
-  const picture = svg('svg', { viewBox: `0 0 ${kWidth} ${kHeight}`, role: 'img', 'aria-label': title });
+  const picture = svg('svg', { viewBox: `0 0 ${kWidth} ${kHeight}` });
   const show = (f: Frustum, vertices: readonly Mark[], range: [number, number],
                 isLogarithmic: boolean, value: (b: Buffer, distance: number) => number,
                 buffers: readonly Buffer[]) => {
@@ -95,7 +95,8 @@ function plot(title: string) {
     picture.replaceChildren(axes(x, y), marks(x, y, vertices),
                             ...buffers.map((b) => curve(b, x, y, (d) => value(b, d))));
   };
-  return { element: html('figure', {}, html('figcaption', {}, title), picture), show };
+  return { element: html('figure', { role: 'img', 'aria-label': title }, html('figcaption', {}, title),
+                        picture), show };
 }
 
 // The powers of ten around all values.

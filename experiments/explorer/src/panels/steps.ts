@@ -112,4 +112,4 @@ function mount(host: HTMLElement, { store }: Page) {
   };
 }
 
-export const kStepsPanel: Panel = { id: 'steps', title: 'Plane by plane', mount };
+export const kStepsPanel: Panel = { id: 'steps', title: 'Steps', mount };

@@ -17,7 +17,7 @@ import { volumeForm } from './volume_form';
 const kNames = ['x', 'y', 'z', 'w'] as const;
 
 // The triangle with its numbers in the other space, as the clippers have them there.
-export function converted({ state, clip, view }: Scene): Partial<State> | null {
+function converted({ state, clip, view }: Scene): Partial<State> | null {
   const triangle = state.space === 'view' ? clip : view;
   if (triangle === null) return null;
   const space: Space = state.space === 'view' ? 'clip' : 'view';

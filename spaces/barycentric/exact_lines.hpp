@@ -39,6 +39,9 @@
 // product, the difference 6; its dot product with an exact vector 6 + 1 + 2 = 9, with a line 11,
 // with numerators at the vertices, which have 3 themselves, 12. One more u covers the rounding of
 // the bound: 14 u M.
+//
+// Range, filter and the certificate of rounded_quotient are proved by scripts with the constants
+// below: reference/proofs/.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The constants of the error bounds of batch methods whose floats are certain, each in the lemma of
-// the file that uses it; u = 2^-53.
+// the file that uses it; u = 2^-53. Scripts that prove them read them here: reference/proofs/.
 #pragma once
 
 #include "spaces/barycentric/exact_lines.hpp"

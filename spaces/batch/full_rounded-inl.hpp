@@ -21,10 +21,11 @@
 // |q|. Attributes are as in barycentric-inl.hpp.
 //
 // Lemma (a meeting of two planes). Each weight is a difference of two products of distances, within
-// 4 u of the sum of their magnitudes. In sums of three products with these the numerator is within
-// 13 u M and the denominator within 7 u W, M and W now with the magnitudes of the weights; the
-// quotient follows as on an edge. Sides and attributes are as in barycentric-inl.hpp. A denominator
-// above kSmallestDenominator keeps whatever underflows, below 2^-1070, far from any float's half.
+// 4 u, to first order, of the sum of their magnitudes. In sums of three products with these the
+// numerator is within 13 u M and the denominator within 7 u W, M and W now with the magnitudes of
+// the weights; the quotient follows as on an edge. Sides and attributes are as in
+// barycentric-inl.hpp. A denominator above kSmallestDenominator keeps whatever underflows, below
+// 2^-1070, far from any float's half. Why zeros have the right sign: reference/proofs/README.md.
 #if defined(CLIPSCOPE_BATCH_FULL_ROUNDED_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_FULL_ROUNDED_INL
 #undef CLIPSCOPE_BATCH_FULL_ROUNDED_INL

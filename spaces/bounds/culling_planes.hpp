@@ -22,10 +22,11 @@
 //     coordinates of w - x (and so on) together by gamma_4 W: 12 in all;
 //   - W is itself computed, with at most 9 roundings, so it may be too small by gamma_9 W.
 //
-// gamma_16 times the computed W covers all of this with room to spare. u is taken as `epsilon`, the
-// one of directed rounding, so that no rounding mode breaks the bound. Each product that underflows
-// adds at most the smallest normal number, even if results are flushed to zero; a later factor
-// multiplies that. There are fewer than 32 products: 32 * min * (1 + the factors) covers them.
+// gamma_16 times the computed W covers all of this with room to spare (reference/proofs/). u is
+// taken as `epsilon`, the one of directed rounding, so that no rounding mode breaks the bound. Each
+// product that underflows adds at most the smallest normal number, even if results are flushed to
+// zero; a later factor multiplies that. There are fewer than 32 products: 32 * min * (1 + the
+// factors) covers them.
 // An overflow makes the bound infinite or NaN, which settles nothing.
 // Does not guarantee: anything if subnormal input is taken for zero (DAZ), or if the planes are
 // made from subnormal numbers while results are flushed.

@@ -11,6 +11,7 @@
 // compressed is nonadjacent, which is more.
 //
 // Sizes are counted at compile time, in doubles: a sum of N and M has N + M, a product 2 N M.
+// `push` asserts that they suffice.
 // Guarantees: exact, as long as nothing overflows and every number that occurs is a multiple of the
 // smallest subnormal, errors of products included. No allocation.
 // Does not guarantee: anything in other rounding modes, with subnormals flushed to zero, or where
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "spaces/bounds/enclosure.hpp"
@@ -50,9 +52,12 @@ class Expansion {
   const double* begin() const { return components_.data(); }
   const double* end() const { return components_.data() + size_; }
 
-  // Appends a component of larger magnitude than all others that does not overlap them.
+  // Appends a component of larger magnitude than all others that does not overlap them; 0 is left
+  // out. Pre-condition: there is room for it.
   void push(double component) {
-    if (component != 0) components_[size_++] = component;
+    if (component == 0) return;
+    assert(size_ < N && "an Expansion has room for so many components");
+    components_[size_++] = component;
   }
 
   double largest() const { return size_ == 0 ? 0.0 : components_[size_ - 1]; }

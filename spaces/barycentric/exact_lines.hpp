@@ -39,6 +39,9 @@
 // product, the difference 6; its dot product with an exact vector 6 + 1 + 2 = 9, with a line 11,
 // with numerators at the vertices, which have 3 themselves, 12. One more u covers the rounding of
 // the bound: 14 u M.
+//
+// Range, filter and the certificate of rounded_quotient are proved by scripts with the constants
+// below: reference/proofs/.
 #pragma once
 
 #include <array>
@@ -148,15 +151,22 @@ inline ExactLambda exact_lambda(const Meeting& m) {
   return r;
 }
 
-// Multiples of 2^-894 below 2^775: at most 1669 / 52 + 2 components remain.
-using ExactDot = Expansion<34>;
+// lambda . line, and numerators and denominators alike, are multiples of 2^kDotLowest below
+// 2^kDotHighest: so many components remain when they are compressed.
+inline constexpr int kDotLowest = -894, kDotHighest = 775;
+using ExactDot = Expansion<(kDotHighest - kDotLowest) / 52 + 2>;
+
+template <int N>
+ExactDot compressed_dot(const Expansion<N>& value) {
+  return compressed<(kDotHighest - kDotLowest) / 52 + 2>(value);
+}
 
 inline ExactDot exact_dot(const ExactLambda& lambda, const Values& v) {
-  return compressed<34>(lambda[0] * v[0] + lambda[1] * v[1] + lambda[2] * v[2]);
+  return compressed_dot(lambda[0] * v[0] + lambda[1] * v[1] + lambda[2] * v[2]);
 }
 
 inline ExactDot exact_dot(const ExactLambda& lambda, const Line& line) {
-  return compressed<34>(lambda[0] * exact_entry(line, 0) + lambda[1] * exact_entry(line, 1) +
+  return compressed_dot(lambda[0] * exact_entry(line, 0) + lambda[1] * exact_entry(line, 1) +
                         lambda[2] * exact_entry(line, 2));
 }
 
@@ -182,12 +192,16 @@ float nearer(float low, float high, int compared, Count& count) {
   return compared > 0 || (compared == 0 && low_is_odd) ? high : low;
 }
 
+// Of a quotient of largest components, see below.
+inline constexpr double kLeadingQuotientError = 0x1p-50;
+
 // numerator / denominator rounded to the nearest float, ties to even. Pre-condition: denominator >
 // 0.
 //
 // The largest component of each is within 2^-52 of it, relatively, so their rounded quotient is
-// within 2^-50 of the exact one, with room for the rounding of the two products. Between `low` and
-// `high` lies at most one midpoint of floats, since these are at least 2^-25 apart, relatively.
+// within kLeadingQuotientError of the exact one, with room for the rounding of the two products.
+// Between `low` and `high` lies at most one midpoint of floats, since these are at least 2^-25
+// apart, relatively.
 // Half a unit above the largest float, where rounding goes over to infinity, is a midpoint as well,
 // as if the next float were 2^128. Where the quotient leaves the range of double, or of its normal
 // numbers, it is far beyond that of float, and both ends are infinite or 0.
@@ -195,8 +209,8 @@ template <class Count>
 float round_quotient(const ExactDot& numerator, const ExactDot& denominator, Count& count) {
   const int sign = numerator.sign();
   const double q = std::abs(numerator.largest() / denominator.largest());
-  const float low = rounded_to_float(q * (1 - 0x1p-50));
-  const float high = rounded_to_float(q * (1 + 0x1p-50));
+  const float low = rounded_to_float(q * (1 - kLeadingQuotientError));
+  const float high = rounded_to_float(q * (1 + kLeadingQuotientError));
   if (sign == 0 || low == high) {
     count(Stage::quotient_exact);
     return sign < 0 ? -low : low;
@@ -216,11 +230,15 @@ struct Divisor {
   double relative_error;  // of the quotient for that of the divisor and for roundings, see below
 };
 
-inline constexpr double kQuotientRoundings = 0x1p-50;
+// A divisor counts as certain if its value is so many times its error.
+inline constexpr double kDivisorCertainty = 0x1p20;
+inline constexpr double kQuotientRoundings = 8 * 0x1p-53;
+inline constexpr double kQuotientSlack = 0x1p-18;      // of the bound, relatively
+inline constexpr double kSmallestFiltered = 0x1p-900;  // quotient
 
 inline Divisor divisor(const Meeting& m, const Values& denominator) {
   const Bounded d = dot(m, denominator);
-  const bool is_certain = d.value > 0x1p20 * d.error;
+  const bool is_certain = d.value > kDivisorCertainty * d.error;
   const double reciprocal = is_certain ? 1 / d.value : std::numeric_limits<double>::quiet_NaN();
   return {denominator, d, reciprocal, d.error * reciprocal + kQuotientRoundings};
 }
@@ -230,10 +248,10 @@ inline Divisor divisor(const Meeting& m, const Values& denominator) {
 // inverse_scale is 1 / scale in double, of a scale rounded once, or 1.
 //
 // With n, d and their bounds En, Ed the quotient is within (En + |n/d| Ed) / (d - Ed) of n/d; it is
-// Ed < 2^-20 d. kQuotientRoundings |q| = 8 u |q| covers the roundings of the scale, the two
-// reciprocals, their product, q and the interval's ends, 6 u, and 1 + 2^-18 the Ed in the divisor
-// and the roundings of this bound. Some of its terms may underflow, by less than 2^-1072 together:
-// for |q| >= 2^-900 that is within the same 2^-18 of the bound.
+// kDivisorCertainty Ed < d. kQuotientRoundings |q| covers the roundings of the scale, the two
+// reciprocals, their product, q and the interval's ends, 6 u, and 1 + kQuotientSlack the Ed in the
+// divisor and the roundings of this bound. Some of its terms may underflow, by less than 2^-1072
+// together: for |q| >= kSmallestFiltered that is within the same slack of the bound.
 // Rounding is monotone: where both ends round to the same float, so does all between.
 template <class Exact, class Count>
 float rounded_quotient(const Bounded& n, const Divisor& by, double inverse_scale, Exact&& exact,
@@ -244,9 +262,10 @@ float rounded_quotient(const Bounded& n, const Divisor& by, double inverse_scale
   }
   const double reciprocal = by.reciprocal * inverse_scale;
   const double q = n.value * reciprocal, magnitude = std::abs(q);
-  const double error = (n.error * reciprocal + magnitude * by.relative_error) * (1 + 0x1p-18);
+  const double bound = n.error * reciprocal + magnitude * by.relative_error;
+  const double error = bound * (1 + kQuotientSlack);
   const float low = rounded_to_float(q - error), high = rounded_to_float(q + error);
-  if (magnitude >= 0x1p-900 &&
+  if (magnitude >= kSmallestFiltered &&
       std::bit_cast<std::uint32_t>(low) == std::bit_cast<std::uint32_t>(high)) {
     count(Stage::quotient_filtered);
     return low;

@@ -101,9 +101,9 @@ struct RowCombination {
   // lambda . numerator.
   ExactDot exact(const ExactLambda& lambda) const {
     ExactDot r;
-    if (gamma != 0) r = compressed<34>(exact_dot(lambda, kOnes) * gamma);
-    if (alpha != 0) r = compressed<34>(r + exact_dot(lambda, *a) * alpha);
-    if (beta != 0) r = compressed<34>(r + exact_dot(lambda, *b) * beta);
+    if (gamma != 0) r = compressed_dot(exact_dot(lambda, kOnes) * gamma);
+    if (alpha != 0) r = compressed_dot(r + exact_dot(lambda, *a) * alpha);
+    if (beta != 0) r = compressed_dot(r + exact_dot(lambda, *b) * beta);
     return r;
   }
 };
@@ -220,7 +220,7 @@ class ViewPoints {
       const ExactLambda lambda = exact_lambda(m);
       const Expansion<2> exact_scale(scale.rounded, scale.error);
       return round_quotient(numerator.exact(lambda),
-                            compressed<34>(exact_dot(lambda, w_.rounded) * exact_scale), count);
+                            compressed_dot(exact_dot(lambda, w_.rounded) * exact_scale), count);
     };
     return rounded_quotient(dot(m, numerator.value, numerator.magnitude), w, scale.inverse, exact,
                             count);

@@ -40,14 +40,13 @@
 #endif
 
 #include "spaces/batch/corners-inl.hpp"
+#include "spaces/batch/error_bounds.hpp"
 #include "spaces/batch/one_plane-inl.hpp"
 #include "spaces/batch/plain.hpp"
 #include "spaces/bounds/enclosure_arithmetic.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
-
-inline constexpr double kEdgeError = 16 * 0x1p-53;  // of the lemma
 
 template <bool kCertain, class S>
 struct FromOriginals {

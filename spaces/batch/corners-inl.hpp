@@ -24,11 +24,10 @@
 #endif
 
 #include "spaces/batch/cut-inl.hpp"
+#include "spaces/batch/error_bounds.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
-
-inline constexpr double kSideError = 12 * 0x1p-53;  // of the lemma
 
 // What is left of triangles that several planes cut. Lines 0 to 2 are a triangle's edges, each
 // opposite to its vertex, the others planes, 3 and on, in the order of `kAllPlanes`.
@@ -338,9 +337,10 @@ class CornerLanes {
               error = hn::Mul(hn::Set(kD, kSideError), hn::Mul(norm(from), norm(to)));
     for (int v = 0; v < 3; ++v) hn::Store(lambda.at[v], kD, lambda_[i][v]);
     hn::Store(reciprocal, kD, reciprocal_[i]);
-    const Vec relative = hn::Mul(hn::Mul(error, reciprocal), hn::Set(kD, 2 * (1 + 0x1p-17)));
-    hn::Store(hn::Add(relative, hn::Set(kD, 0x1p-50)), kD, error_[i]);
-    has_sum_[i] = mask_bits(kD, hn::Gt(sum, hn::Mul(hn::Set(kD, 0x1p20), error)));
+    const Vec relative = hn::Mul(hn::Mul(error, reciprocal), hn::Set(kD, kMeanError));
+    hn::Store(hn::Add(relative, hn::Set(kD, kMeanRoundings)), kD, error_[i]);
+    const Vec least = hn::Mul(hn::Set(kD, barycentric::kDivisorCertainty), error);
+    has_sum_[i] = mask_bits(kD, hn::Gt(sum, least));
   }
 
   // [vertex][coordinate][lane] and [line][vertex][lane]; N of the lines.

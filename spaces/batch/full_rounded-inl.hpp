@@ -21,10 +21,11 @@
 // |q|. Attributes are as in barycentric-inl.hpp.
 //
 // Lemma (a meeting of two planes). Each weight is a difference of two products of distances, within
-// 4 u of the sum of their magnitudes. In sums of three products with these the numerator is within
-// 13 u M and the denominator within 7 u W, M and W now with the magnitudes of the weights; the
-// quotient follows as on an edge. Sides and attributes are as in barycentric-inl.hpp. A denominator
-// above 2^-700 keeps whatever underflows, below 2^-1070, far from any float's half.
+// 4 u, to first order, of the sum of their magnitudes. In sums of three products with these the
+// numerator is within 13 u M and the denominator within 7 u W, M and W now with the magnitudes of
+// the weights; the quotient follows as on an edge. Sides and attributes are as in
+// barycentric-inl.hpp. A denominator above kSmallestDenominator keeps whatever underflows, below
+// 2^-1070, far from any float's half. Why zeros have the right sign: reference/proofs/README.md.
 #if defined(CLIPSCOPE_BATCH_FULL_ROUNDED_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLIPSCOPE_BATCH_FULL_ROUNDED_INL
 #undef CLIPSCOPE_BATCH_FULL_ROUNDED_INL
@@ -33,6 +34,7 @@
 #endif
 
 #include "spaces/barycentric/exact_corners.hpp"
+#include "spaces/batch/error_bounds.hpp"
 #include "spaces/batch/full-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -277,7 +279,7 @@ class FullRoundedClipper {
   HWY_INLINE bool write_own(const float* vertex, const Point& p, float* out) const {
     const D d;
     const double reciprocal = 1 / p.clip[3];
-    const auto by = hn::Set(d, reciprocal), weight = hn::Set(d, 16 * 0x1p-53 * reciprocal);
+    const auto by = hn::Set(d, reciprocal), weight = hn::Set(d, kOwnVertexError * reciprocal);
     bool certain = true;
     for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
       const auto n = lanes_or_one(p.clip, i);
@@ -306,7 +308,7 @@ class FullRoundedClipper {
     const D d;
     const double reciprocal = 1 / w;
     const auto by = hn::Set(d, reciprocal), of_m = hn::Set(d, m_error * reciprocal),
-               of_q = hn::Set(d, 2 * w_error * reciprocal + 8 * 0x1p-53);
+               of_q = hn::Set(d, kOfDenominator * w_error * reciprocal + kFullQuotientRoundings);
     bool certain = true;
     for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
       const auto q = hn::Mul(sums(i), by);
@@ -320,19 +322,19 @@ class FullRoundedClipper {
   HWY_INLINE bool write_mean(double l_a, const float* a, const Point& p_a, double l_b,
                              const float* b, const Point& p_b, const Fixed& fixed,
                              float* out) const {
-    constexpr double u = 0x1p-53;
     const D d;
     const double w = l_a * p_a.clip[3] + l_b * p_b.clip[3],
-                 w_error = 4 * u * (l_a * p_a.magnitude[3] + l_b * p_b.magnitude[3]);
-    if (!(w > 0x1p20 * w_error)) return false;
+                 w_error =
+                     kEdgeDenominatorError * (l_a * p_a.magnitude[3] + l_b * p_b.magnitude[3]);
+    if (!(w > barycentric::kDivisorCertainty * w_error)) return false;
     const auto v_a = hn::Set(d, l_a), v_b = hn::Set(d, l_b);
     const auto sums = [&](const double* of_a, const double* of_b, std::size_t i) {
       return hn::MulAdd(v_a, lanes_or_one(of_a, i), hn::Mul(v_b, lanes_or_one(of_b, i)));
     };
-    const bool certain =
-        write_quotients([&](std::size_t i) { return sums(p_a.clip, p_b.clip, i); },
-                        [&](std::size_t i) { return sums(p_a.magnitude, p_b.magnitude, i); }, w,
-                        w_error, 12 * u, [&](std::size_t i) { return lane_of(fixed, i); }, out);
+    const bool certain = write_quotients(
+        [&](std::size_t i) { return sums(p_a.clip, p_b.clip, i); },
+        [&](std::size_t i) { return sums(p_a.magnitude, p_b.magnitude, i); }, w, w_error,
+        kEdgeNumeratorError, [&](std::size_t i) { return lane_of(fixed, i); }, out);
     out[fixed.axis] = fixed.bound;
     return write_mean_attributes(l_a, a + 3, l_b, b + 3, out + 4) && certain;
   }
@@ -360,13 +362,13 @@ class FullRoundedClipper {
   // The position of a point of the triangle on two planes.
   HWY_INLINE bool write_meeting(const typename Lanes::Corner& c, const Point* points,
                                 const Fixed& first, const Fixed& second, float* out) const {
-    constexpr double u = 0x1p-53;
     const auto sum = [&](const double* weights, auto of) {
       return weights[0] * of(points[0]) + weights[1] * of(points[1]) + weights[2] * of(points[2]);
     };
     const double w = sum(c.lambda, [](const Point&p) { return p.clip[3]; }),
-                 w_error = 8 * u * sum(c.magnitude, [](const Point&p) { return p.magnitude[3]; });
-    if (!(w > 0x1p20 * w_error && w > 0x1p-700)) return false;
+                 w_error = kMeetingDenominatorError *
+                           sum(c.magnitude, [](const Point&p) { return p.magnitude[3]; });
+    if (!(w > barycentric::kDivisorCertainty * w_error && w > kSmallestDenominator)) return false;
     const D d;
     const auto sums = [&](const double* weights, double(Point::*of)[4], std::size_t i) {
       const auto term = [&](int v) { return lanes_or_one(points[v].*of, i); };
@@ -376,7 +378,8 @@ class FullRoundedClipper {
     };
     const bool certain = write_quotients(
         [&](std::size_t i) { return sums(c.lambda, &Point::clip, i); },
-        [&](std::size_t i) { return sums(c.magnitude, &Point::magnitude, i); }, w, w_error, 16 * u,
+        [&](std::size_t i) { return sums(c.magnitude, &Point::magnitude, i); }, w, w_error,
+        kMeetingNumeratorError,
         [&](std::size_t i) { return hn::Or(lane_of(first, i), lane_of(second, i)); }, out);
     out[first.axis] = first.bound;
     out[second.axis] = second.bound;
@@ -386,10 +389,11 @@ class FullRoundedClipper {
   HWY_INLINE bool write_meeting_attributes(const typename Lanes::Corner& c,
                                            const float* const vertex[3], float* out) const {
     const double total = c.lambda[0] + c.lambda[1] + c.lambda[2],
-                 total_error = 10 * 0x1p-53 * (c.magnitude[0] + c.magnitude[1] + c.magnitude[2]);
-    if (!(total > 0x1p20 * total_error)) return false;
+                 total_error =
+                     kMeetingWeightError * (c.magnitude[0] + c.magnitude[1] + c.magnitude[2]);
+    if (!(total > barycentric::kDivisorCertainty * total_error)) return false;
     const double reciprocal = 1 / total,
-                 of_largest = 2 * total_error / total * (1 + 0x1p-17) + 0x1p-50;
+                 of_largest = total_error / total * kMeanError + kMeanRoundings;
     bool certain = true;
     for (std::size_t k = 3; k < 3 + attributes_; ++k) {
       const double v[3] = {vertex[0][k], vertex[1][k], vertex[2][k]},

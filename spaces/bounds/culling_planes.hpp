@@ -22,10 +22,11 @@
 //     coordinates of w - x (and so on) together by gamma_4 W: 12 in all;
 //   - W is itself computed, with at most 9 roundings, so it may be too small by gamma_9 W.
 //
-// gamma_16 times the computed W covers all of this with room to spare. u is taken as `epsilon`, the
-// one of directed rounding, so that no rounding mode breaks the bound. Each product that underflows
-// adds at most the smallest normal number, even if results are flushed to zero; a later factor
-// multiplies that. There are fewer than 32 products: 32 * min * (1 + the factors) covers them.
+// gamma_16 times the computed W covers all of this with room to spare (reference/proofs/). u is
+// taken as `epsilon`, the one of directed rounding, so that no rounding mode breaks the bound. Each
+// product that underflows adds at most the smallest normal number, even if results are flushed to
+// zero; a later factor multiplies that. There are fewer than 32 products: 32 * min * (1 + the
+// factors) covers them.
 // An overflow makes the bound infinite or NaN, which settles nothing.
 // Does not guarantee: anything if subnormal input is taken for zero (DAZ), or if the planes are
 // made from subnormal numbers while results are flushed.
@@ -62,14 +63,19 @@ struct CullingPlanes {
                       Vec3<T>(std::numeric_limits<T>::infinity())};
 };
 
+// As above: n of gamma_n, and the number of products that may underflow.
+inline constexpr int kDistanceRoundings = 16, kMostProducts = 32;
+// Of a length as below, and of a normal that is a rounded sum.
+inline constexpr int kLengthRoundings = 8, kNormalRoundings = 2;
+
 // The error bound of a signed distance whose terms' magnitudes sum up to `magnitude`, where
 // products that may underflow are multiplied by at most 1 + factor afterwards.
 template <std::floating_point T>
 constexpr T distance_error(const T& magnitude, const T& factor = T(0)) {
   constexpr T u = std::numeric_limits<T>::epsilon();
-  constexpr T gamma_16 = 16 * u / (1 - 16 * u);
-  constexpr T underflow = 32 * std::numeric_limits<T>::min();
-  return gamma_16 * magnitude + underflow * (T(1) + factor);
+  constexpr T gamma = kDistanceRoundings * u / (1 - kDistanceRoundings * u);
+  constexpr T underflow = kMostProducts * std::numeric_limits<T>::min();
+  return gamma * magnitude + underflow * (T(1) + factor);
 }
 
 // The length of a vector or more: at most 10 u too large, plus the smallest normal number.
@@ -83,7 +89,7 @@ T length_above(const Vec3<T>& v) {
     return most;  // 0 or NaN
   }
   const T a = x / most, b = y / most, c = z / most;
-  constexpr T up = T(1) + 8 * std::numeric_limits<T>::epsilon();
+  constexpr T up = T(1) + kLengthRoundings * std::numeric_limits<T>::epsilon();
   return most * std::sqrt(a * a + b * b + c * c) * up + std::numeric_limits<T>::min();
 }
 
@@ -94,7 +100,7 @@ void push_back(CullingPlanes<T>& r, CullingPlane<T> plane) {
   plane.normal_length = length_above(plane.normal);
   plane.weight_length = length_above(plane.weight);
   // A normal from a matrix is a rounded sum: the true one is longer by at most one rounding.
-  plane.normal_length += 2 * std::numeric_limits<T>::epsilon() * plane.normal_length;
+  plane.normal_length += kNormalRoundings * std::numeric_limits<T>::epsilon() * plane.normal_length;
   r.planes[static_cast<std::size_t>(r.count++)] = plane;
 }
 

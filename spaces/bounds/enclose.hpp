@@ -56,7 +56,7 @@ T distance_above(std::span<const Vec3<T>> points, const Vec3<T>& centre) {
     }
     square = std::max(square, sum);
   }
-  constexpr T up = T(1) + 8 * std::numeric_limits<T>::epsilon();
+  constexpr T up = T(1) + kLengthRoundings * std::numeric_limits<T>::epsilon();
   return std::scalbn(std::sqrt(square) * up, exponent) + std::numeric_limits<T>::min();
 }
 
@@ -101,6 +101,11 @@ Vec3<T> unit(const Vec3<T>& v, const Vec3<T>& otherwise) {
   const T square = dot(r, r);
   return T(0.5) < square && square < T(2) ? r : otherwise;
 }
+
+// The axes of an oriented box may be so far from perpendicular and of length 1; half its size is
+// enlarged by so many roundings.
+inline constexpr double kMostSkew = 0.0625;
+inline constexpr int kHalfSizeRoundings = 4;
 
 // How far the axes are from perpendicular and of length 1: the largest sum of magnitudes in a row
 // of A^T A - I, or more. NaN if an axis isn't finite.
@@ -181,8 +186,8 @@ OrientedBox<T> bounding_oriented_box(std::span<const Vec3<T>> points,
   OrientedBox<T> r;
   if (points.empty()) return r;
   const T e = bounds::skew(axes);
-  if (e <= T(0.0625)) r.axes = axes;
-  const bool along_axes = !(e <= T(0.0625));
+  if (e <= T(bounds::kMostSkew)) r.axes = axes;
+  const bool along_axes = !(e <= T(bounds::kMostSkew));
   const AxisBox<T> box = bounding_box(points);
   r.centre = T(0.5) * box.lower + T(0.5) * box.upper;
   Vec3<T> reach(T(0));
@@ -200,7 +205,8 @@ OrientedBox<T> bounding_oriented_box(std::span<const Vec3<T>> points,
   for (int i = 0; i < 3; ++i) most = std::max(most, reach[i] + error);
   const T tilt = along_axes ? T(0) : T(2) * e * most;
   for (int i = 0; i < 3; ++i) {
-    r.half[i] = (reach[i] + error + tilt) * (T(1) + 4 * std::numeric_limits<T>::epsilon());
+    r.half[i] = (reach[i] + error + tilt) *
+                (T(1) + bounds::kHalfSizeRoundings * std::numeric_limits<T>::epsilon());
   }
   if (!is_finite(box) || !is_finite(r)) {
     r.centre = Vec3<T>(T(0));

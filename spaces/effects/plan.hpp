@@ -31,7 +31,9 @@
 //
 // reached on an edge. What is cut off a triangle changes neither bound, but for the rounding of new
 // vertices: each cut adds at most 3 u w_max to a w and 3 u |a| to an attribute, 14 cuts 42 u; 96 u
-// covers both ends of a range, and the roundings of the bound itself are covered by a factor.
+// covers both ends of a range, and the roundings of the bound itself are covered by a factor. Where
+// 96 u Q is 1 or more the rounding may take w down to nothing, and the bound is R, for both ways
+// give a mean of the attribute's values.
 //
 // A plan can't be made too lean: an EffectSet is everything unless Plan, which asks the facts,
 // takes something out; facts know nothing unless they looked; sets can only be joined.
@@ -53,6 +55,9 @@ enum class PlaneEffect : std::uint8_t {
 
 template <std::floating_point T>
 class Plan;
+
+// Of new vertices, and of the bound of what affine interpolation does; both in units of epsilon.
+inline constexpr int kCutRoundings = 96, kAffineRoundings = 16;
 
 class EffectSet {
  public:
@@ -155,10 +160,13 @@ class Plan {
     constexpr T u = std::numeric_limits<T>::epsilon();
     const AttributeFacts<T>& a = facts.attributes();
     if (a.flat || facts.has_unit_w()) return T(0);
-    const T ratio = facts.w_ratio() * (1 + 96 * u * facts.w_ratio());
-    const T range = a.range + 96 * u * a.magnitude;
+    const T growth = kCutRoundings * u * facts.w_ratio();
+    if (!std::isfinite(growth)) return std::numeric_limits<T>::infinity();
+    const T ratio = facts.w_ratio() * (1 + growth);
+    const T range = a.range + kCutRoundings * u * a.magnitude;
     const T root = std::sqrt(ratio) + 1;
-    const T bound = (1 + 16 * u) * range * ((ratio - 1) / (root * root));
+    const T share = growth < 1 ? (ratio - 1) / (root * root) : T(1);
+    const T bound = (1 + kAffineRoundings * u) * range * share;
     return bound == bound ? bound : std::numeric_limits<T>::infinity();
   }
 

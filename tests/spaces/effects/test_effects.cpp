@@ -390,6 +390,27 @@ TEST_CASE("effects: affine attributes stay within the bound, and reach it on an 
   CHECK(closest > 0.99);
 }
 
+TEST_CASE("effects: where rounding may take w to nothing the bound is the attribute's range") {
+  Frustum<float> frustum;
+  frustum.near = 0x1p-10f;
+  frustum.far = 0x1p20f;
+  const Projection<float> projection{frustum};
+  SceneOf<float> scene(1);
+  // In front of the eye, the largest w just below and above 1 / 96 of 2^23 times the least.
+  const auto bound_for = [&](float ratio) {
+    for (int v = 0; v < 3; ++v) {
+      scene[0][v].position = Vec3<float>(0, 0, v == 0 ? -1.0f : -ratio);
+      for (int k = 0; k < kAttributes; ++k) scene[0][v].attributes[k] = v == 0 ? 0.0f : 1.0f;
+    }
+    const Plan<float> plan(facts_of(projection, scene), {.tolerance = 0.5f});
+    CHECK(plan.effects().perspective());
+    return plan.affine_error();
+  };
+  CHECK(bound_for(0x1p16f) < 1);
+  CHECK(bound_for(0x1p17f) >= 1);
+  CHECK(bound_for(0x1p17f) < 1.001f);
+}
+
 TEST_CASE("effects: a tolerance that is NaN or attributes that are keep perspective correction") {
   const Projection<float> projection{Frustum<float>{}};
   SceneOf<float> scene = {middle_triangle(projection.frustum)};

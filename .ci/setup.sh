@@ -27,10 +27,10 @@ packages=(
   gnuplot-nox                                 # plots
   catch2 libbenchmark-dev                     # tests, timing
   python3                                     # an example of a program as a clipper
+  dpkg-dev                                    # what packages depend on
 )
-# shellcheck disable=SC2034  # for the scripts
 python_packages=(python3-dev python3-numpy python3-venv pybind11-dev) # of the Python package
-# shellcheck disable=SC2034
+# shellcheck disable=SC2034  # for the scripts
 sanitize_packages=(clang-14 libclang-rt-14-dev) # of the preset `sanitize`
 
 # One line per step, with the seconds since the start.
@@ -176,4 +176,14 @@ set_up() {
   configure
   build "$@"
   exec 9>&-
+}
+
+# set_up_with_python: the program and the Python package, for which a build that was configured without its
+# packages looks for them again.
+set_up_with_python() {
+  install_packages "${python_packages[@]}"
+  if [[ -f $build_dir/build.ninja ]] && ! grep -q clipscope_python_all "$build_dir/build.ninja"; then
+    cmake "$build_dir" >/dev/null
+  fi
+  set_up clipscope clipscope_plugin_host clipscope_python_all
 }

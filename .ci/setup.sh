@@ -27,12 +27,12 @@ packages=(
   gnuplot-nox                                 # plots
   catch2 libbenchmark-dev                     # tests, timing
   python3                                     # an example of a program as a clipper
+  dpkg-dev                                    # what packages depend on
 )
-# shellcheck disable=SC2034  # for the scripts
 python_packages=(python3-dev python3-numpy python3-venv pybind11-dev) # of the Python package
-# shellcheck disable=SC2034
+# shellcheck disable=SC2034  # for the scripts
 explorer_packages=(emscripten) # of the explorer, beside node and npm (set_up_npm)
-# shellcheck disable=SC2034
+# shellcheck disable=SC2034  # for the scripts
 sanitize_packages=(clang-14 libclang-rt-14-dev) # of the preset `sanitize`
 
 # One line per step, with the seconds since the start.
@@ -197,4 +197,19 @@ set_up() {
   configure
   build "$@"
   exec 9>&-
+}
+
+# configure_again_without TARGET: a build that was configured before the target's packages were there
+# looks for them again.
+configure_again_without() {
+  if [[ -f $build_dir/build.ninja ]] && ! grep -q "$1" "$build_dir/build.ninja"; then
+    cmake "$build_dir" >/dev/null
+  fi
+}
+
+# set_up_with_python: the program and the Python package.
+set_up_with_python() {
+  install_packages "${python_packages[@]}"
+  configure_again_without clipscope_python_all
+  set_up clipscope clipscope_plugin_host clipscope_python_all
 }

@@ -41,10 +41,11 @@ struct ExplainOptions {
 // Errors: UsageError if something else was chosen too.
 HardCase case_from_catalogue(const ExplainOptions& options) {
   for (const char* option :
-       {"file",      "--space",          "--attributes",  "--primitive", "--perspective",
-        "--frustum", "--ortho",          "--intrinsics",  "--matrix",    "--depth",
-        "--plane",   "--clip-distances", "--depth-clamp", "--half-open", "--scene",
-        "--view",    "--triangle",       "--eye",         "--pose",      "--camera"}) {
+       {"file",      "--space", "--attributes",     "--primitive",   "--perspective",
+        "--frustum", "--ortho", "--shear",          "--intrinsics",  "--matrix",
+        "--depth",   "--plane", "--clip-distances", "--depth-clamp", "--half-open",
+        "--scene",   "--view",  "--triangle",       "--eye",         "--pose",
+        "--camera"}) {
     if (options.command->count(option) == 0) continue;
     usage_error("--case: a case says all that {} would say; leave it out", option);
   }

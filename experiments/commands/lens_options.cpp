@@ -30,13 +30,23 @@ void add_lens_options(CLI::App& command, LensOptions& options) {
     const auto set = [&options, name](const std::vector<double>& numbers) {
       options.projections.emplace_back(name, numbers);
     };
-    add_number_list(command, name, count, type, set, help);
+    return add_number_list(command, name, count, type, set, help);
   };
   add_projection("--perspective", 4, "FOVY,ASPECT,NEAR,FAR",
                  "Perspective projection, FOVY in degrees; FAR may be inf");
   add_projection("--frustum", 6, "L,R,B,T,N,F",
                  "Perspective projection, sides measured on the near plane; F may be inf");
-  add_projection("--ortho", 6, "L,R,B,T,N,F", "Orthographic projection");
+  CLI::Option* const ortho = add_projection("--ortho", 6, "L,R,B,T,N,F", "Orthographic projection");
+  const auto set_shear = [&options](const std::vector<double>& v) {
+    if (!std::isfinite(v[0] + v[1])) {
+      throw CLI::ValidationError("--shear",
+                                 fmt::format("{},{} given, finite numbers expected", v[0], v[1]));
+    }
+    options.shear = {v[0], v[1]};
+  };
+  add_number_list(command, "--shear", 2, "SX,SY", set_shear,
+                  "With --ortho: an oblique view, whose sides bound x + SX z and y + SY z")
+      ->needs(ortho);
   add_projection("--intrinsics", 6, "FX,FY,CX,CY,W,H", kIntrinsicsHelp);
   command.add_option("--near", options.near, "Distance of the near plane, with --intrinsics");
   command.add_option("--far", options.far, "Distance of the far plane, with --intrinsics");
@@ -72,9 +82,14 @@ Frustum<double> given_frustum(const LensOptions& options) {
   if (options.near || options.far) {
     usage_error("--near and --far go with --intrinsics; {} has its own", option);
   }
-  return frustum_of_numbers(
+  Frustum<double> frustum = frustum_of_numbers(
       option == "--ortho" ? ProjectionKind::parallel : ProjectionKind::perspective,
       option == "--perspective" ? perspective_sides(v) : v);
+  if (options.shear) {
+    frustum.shear_x = (*options.shear)[0];
+    frustum.shear_y = (*options.shear)[1];
+  }
+  return frustum;
 }
 
 }  // namespace clipscope::experiments::commands

@@ -84,8 +84,9 @@ CLI::Option* add_depth_option(CLI::App& command, DepthRange& depth);
 using GivenProjection = std::pair<std::string, std::vector<double>>;
 struct LensOptions {
   std::vector<GivenProjection> projections;
-  bool by_columns = false;          // the numbers of --matrix
-  std::optional<double> near, far;  // of --intrinsics
+  bool by_columns = false;                     // the numbers of --matrix
+  std::optional<double> near, far;             // of --intrinsics
+  std::optional<std::array<double, 2>> shear;  // of --ortho
 };
 void add_lens_options(CLI::App& command, LensOptions& options);
 // "--ortho and --matrix"; "none".

@@ -8,42 +8,19 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <sstream>
 #include <string_view>
 
 #include "experiments/machine/errors.hpp"
 #include "experiments/machine/files.hpp"
+#include "experiments/machine/temporary_folder.hpp"
 #include "experiments/report/plot_layout.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/table/utf8.hpp"
 
 namespace clipscope::experiments {
 namespace {
-
-// A folder of our own, gone at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "clipscope-plot-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-      throw OutputError(fmt::format("{}: can't be made: {}", name, std::strerror(errno)));
-    }
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 struct Ended {
   int error = 0;   // an errno: it could not be started

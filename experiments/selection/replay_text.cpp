@@ -35,10 +35,12 @@ std::string volume_options(const ClipVolume& volume) {
 }
 
 std::string frustum_options(const Frustum<float>& f) {
-  return fmt::format("--{} {},{},{},{},{},{}",
-                     f.kind == ProjectionKind::perspective ? "frustum" : "ortho", hex_float(f.left),
-                     hex_float(f.right), hex_float(f.bottom), hex_float(f.top), hex_float(f.near),
-                     f.infinite_far ? "inf" : hex_float(f.far));
+  const bool is_oblique = f.shear_x != 0 || f.shear_y != 0;
+  return fmt::format(
+      "--{} {},{},{},{},{},{}{}", f.kind == ProjectionKind::perspective ? "frustum" : "ortho",
+      hex_float(f.left), hex_float(f.right), hex_float(f.bottom), hex_float(f.top),
+      hex_float(f.near), f.infinite_far ? "inf" : hex_float(f.far),
+      is_oblique ? fmt::format(" --shear {},{}", hex_float(f.shear_x), hex_float(f.shear_y)) : "");
 }
 
 std::string matrix_option(const MatrixRows<float>& rows) {

@@ -20,7 +20,7 @@ std::string_view depth_option(DepthRange depth);
 // "--depth gl", and the volume's other options, as " --depth-clamp=near --clip-distances 1".
 std::string volume_options(const ClipVolume& volume);
 
-// "--frustum L,R,B,T,N,F" or "--ortho ...", in hex floats.
+// "--frustum L,R,B,T,N,F" or "--ortho ...", with "--shear SX,SY" if it is oblique, in hex floats.
 std::string frustum_options(const Frustum<float>& frustum);
 
 // "--matrix M00,M01,..." by rows, in hex floats.

@@ -97,7 +97,7 @@ std::vector<Measured> measure(const Scene& scene, const Contestants& contestants
     const View& view = scene.views[v];
     const auto cut = cut_edges(scene, view, edges, options.edges_per_view);
     all[v] = view_edges(scene, view, cut);
-    few[v] = view_edges(scene, view, evenly_spaced(cut, options.exact_edges_per_view));
+    few[v] = view_edges(scene, view, at_most(options.exact_edges_per_view, cut));
   });
   std::vector<Measured> measured(contestants.size());
   tbb::parallel_for(std::size_t{0}, contestants.size(), [&](std::size_t c) {

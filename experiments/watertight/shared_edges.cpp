@@ -88,7 +88,7 @@ std::vector<CutEdge> cut_edges(const Scene& scene, const View& view,
     return may_be_touched(corners[e.triangles[0]], corners[e.triangles[1]], e.opposite[0]);
   });
   std::vector<CutEdge> result;
-  for (const SharedEdge& e : evenly_spaced(candidates, limit)) {
+  for (const SharedEdge& e : at_most(limit, candidates)) {
     const SceneTriangle &first = triangles[e.triangles[0]], &second = triangles[e.triangles[1]];
     const auto [i, j] = ends_of(e.opposite[0]);
     const std::array ends = {reference::input_vertex(first[i]), reference::input_vertex(first[j])};

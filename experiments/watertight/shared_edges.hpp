@@ -42,12 +42,8 @@ std::vector<CutEdge> cut_edges(const Scene& scene, const View& view,
 
 // Items at equal steps, from the first on, at most `limit`; 0: all.
 template <class T>
-std::vector<T> evenly_spaced(const std::vector<T>& items, std::size_t limit) {
-  if (limit == 0 || items.size() <= limit) return items;
-  const std::size_t stride = (items.size() + limit - 1) / limit;
-  std::vector<T> result;
-  for (std::size_t i = 0; i < items.size(); i += stride) result.push_back(items[i]);
-  return result;
+std::vector<T> at_most(std::size_t limit, const std::vector<T>& items) {
+  return limit == 0 ? items : evenly_spaced(items, limit);
 }
 
 }  // namespace clipscope::experiments::watertight

@@ -35,7 +35,7 @@ Instance<T> instance_of() {
   if constexpr (ClipsClipSpace<C, T, K, N>) {
     instance.in_clip_space = clip_range<C, Space::clip, T, K, N>;
   }
-  if constexpr (kProjectsFirst<C> || N == 1) {
+  if constexpr (N == 1) {  // whose size is one of clip space
     instance.in_view_space = instance.in_clip_space;
   } else {
     instance.in_view_space = clip_range<C, Space::view, T, K, N>;

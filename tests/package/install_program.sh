@@ -16,7 +16,7 @@ draw=("$program" render --scene corridor --clipper homogeneous/sutherland_hodgma
 quietly "${draw[@]}" --out "$work/corridor.png"
 [[ $(head -c 4 "$work/corridor.png") == $'\x89PNG' ]] || die "there is no picture"
 
-# The host of plug-ins is installed beside the program.
+# The host of plug-ins is installed where the module is.
 clipped=$(echo '0 0 0 1  2 0 0 1  0 1 0 1' |
   "$program" clip --space clip --plugin "$(find "$prefix" -name clipscope_own_plugin.so)")
 [[ $clipped == *$'\n'*,1,0,0,1* ]] || die "the installed plug-in clips otherwise: $clipped"

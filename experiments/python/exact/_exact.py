@@ -84,7 +84,7 @@ def exact(
         numbers are the nearest ones to the exact values.
 
     A polygon has at least three vertices; where the triangle has no area some are the same point, and
-    nothing is left of what only touches the volume. Oblique frusta are not taken: give a matrix.
+    nothing is left of what only touches the volume.
 
     Raises ValueError for wrong arguments and where a coordinate is NaN or infinite; ProgramError
     where the program is not there. Source: exact arithmetic by GMP and CGAL, in the program.

@@ -60,10 +60,9 @@ def lens(projection: Any) -> list[str]:
     """The options that name a projection: a Frustum or a matrix (4, 4)."""
     if isinstance(projection, Frustum):
         f = projection
-        if f.shear_x or f.shear_y:
-            raise ValueError("projection: oblique; expected one without a shear, or a matrix")
         sides = ",".join(number_text(x) for x in (f.left, f.right, f.bottom, f.top, f.near, f.far))
-        return ["--ortho" if f.parallel else "--frustum", sides]
+        shear = ["--shear", f"{number_text(f.shear_x)},{number_text(f.shear_y)}"] if f.shear_x or f.shear_y else []
+        return ["--ortho" if f.parallel else "--frustum", sides, *shear]
     matrix = numbers("projection", projection, np.dtype(np.float64))
     if matrix.shape != (4, 4):
         raise shape_error("projection", matrix, "a Frustum or a matrix (4, 4)")

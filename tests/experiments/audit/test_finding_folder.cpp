@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
 #include <filesystem>
 
 #include "experiments/audit/draw_cases.hpp"
@@ -8,24 +6,12 @@
 #include "experiments/audit/finding_folder.hpp"
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/machine/files.hpp"
+#include "experiments/machine/temporary_folder.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/audit/sample_calls.hpp"
 
 namespace clipscope::experiments {
 namespace {
-
-// A folder for one test case.
-class Folder {
- public:
-  Folder()
-      : path_(std::filesystem::temp_directory_path() /
-              ("clipscope-audit-" + std::to_string(getpid()))) {}
-  ~Folder() { std::filesystem::remove_all(path_); }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 // One finding: NaN of the triangle that is clipped.
 Audit audit_with_nan(DriverPool& drivers) {
@@ -35,7 +21,7 @@ Audit audit_with_nan(DriverPool& drivers) {
 
 TEST_CASE("finding folder: it holds a picture, a case, reproductions and what they are",
           "[audit]") {
-  const Folder scratch;
+  const TemporaryFolder scratch;
   const DriverSource source = driver_source("own/noperspective_nan");
   DriverPool drivers(source.make);
   const Audit audit = audit_with_nan(drivers);

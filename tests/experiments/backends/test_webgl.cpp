@@ -8,6 +8,7 @@
 #include <iterator>
 #include <thread>
 
+#include "experiments/machine/temporary_folder.hpp"
 #include "tests/experiments/backends/drivers_for_tests.hpp"
 
 namespace clipscope::experiments {
@@ -23,24 +24,12 @@ Pixels drawn_by(DriverProcess& driver, const DrawCall& call) {
 }
 
 // A folder of this test's own, where its browsers have theirs.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "clipscope-test-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
+struct BrowserFolder : TemporaryFolder {
   std::size_t count() const {
     return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
+        std::distance(fs::directory_iterator(path()), fs::directory_iterator()));
   }
-  fs::path browser() const { return fs::directory_iterator(path_)->path(); }
+  fs::path browser() const { return fs::directory_iterator(path())->path(); }
   bool is_empty_soon() const {
     for (int i = 0; i < 500 && count() > 0; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -49,12 +38,9 @@ class TemporaryFolder {
   }
   KnownDriver webgl() const {
     KnownDriver driver = find_driver("webgl");
-    driver.environment.push_back("TMPDIR=" + path_.string());
+    driver.environment.push_back("TMPDIR=" + path().string());
     return driver;
   }
-
- private:
-  fs::path path_;
 };
 
 // The command line of a process; empty where it has none.
@@ -178,7 +164,7 @@ TEST_CASE("webgl: a point has its size, in a viewport that reaches beyond the ta
 
 TEST_CASE("webgl: a browser that dies is an outcome, and the next call finds another one") {
   if (!driver_for_test("webgl")) return;
-  const TemporaryFolder folder;
+  const BrowserFolder folder;
   DriverProcess driver(folder.webgl(), 20);
   REQUIRE(folder.count() == 1);
   const fs::path first = folder.browser();
@@ -194,7 +180,7 @@ TEST_CASE("webgl: a browser that dies is an outcome, and the next call finds ano
 
 TEST_CASE("webgl: a browser ends with its host, and leaves nothing behind") {
   if (!driver_for_test("webgl")) return;
-  const TemporaryFolder folder;
+  const BrowserFolder folder;
   auto driver = std::make_unique<DriverProcess>(folder.webgl(), 20);
   REQUIRE(folder.count() == 1);
   driver.reset();

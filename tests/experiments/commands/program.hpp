@@ -4,7 +4,6 @@
 #pragma once
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +11,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "experiments/machine/temporary_folder.hpp"
 
 struct Result {
   int code = -1;
@@ -28,22 +29,13 @@ inline std::string read(const std::filesystem::path& path) {
 inline std::string quoted(const std::string& path) { return "'" + path + "'"; }
 
 // A folder for one test case.
-class Folder {
- public:
-  Folder()
-      : path_(std::filesystem::temp_directory_path() /
-              ("clipscope-cli-" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
+struct Folder : clipscope::experiments::TemporaryFolder {
   std::filesystem::path file(const std::string& name, const std::string& content) const {
-    std::ofstream(path_ / name, std::ios::binary) << content;
-    return path_ / name;
+    std::ofstream(path() / name, std::ios::binary) << content;
+    return path() / name;
   }
-  const std::filesystem::path& path() const { return path_; }
-
   Result run(const std::string& arguments, const std::string& input = "") const {
-    const std::filesystem::path in = file("in", input), out = path_ / "out", err = path_ / "err";
+    const std::filesystem::path in = file("in", input), out = path() / "out", err = path() / "err";
     const std::string command = quoted(CLIPSCOPE_PROGRAM_PATH) + " " + arguments + " <" +
                                 quoted(in.string()) + " >" + quoted(out.string()) + " 2>" +
                                 quoted(err.string());

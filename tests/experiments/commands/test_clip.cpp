@@ -131,6 +131,21 @@ TEST_CASE("clip: depth conventions and projections reach the clipper") {
   CHECK(z_of("--ortho -1,1,-1,1,1,10 --depth reversed") == "0,0,0,0,1,1");
 }
 
+TEST_CASE("clip: an oblique view is cut where its sheared sides are") {
+  // At z = -2 the sides bound x - 1, so x from 0 to 2.
+  const Folder folder;
+  const std::string options = "--scalar exact --fraction --ortho -1,1,-1,1,1,3 ";
+  const std::string input = "1 0 -2  3 0 -2  1 0.5 -2\n";
+  CHECK(rows_of(folder, options + "--shear 0.5,0", input) ==
+        Lines{"0,0,0,0,0,1", "0,1,1,0,0,1", "0,2,1,1/4,0,1", "0,3,0,1/2,0,1"});
+  for (const char* wrong : {"--frustum -1,1,-1,1,1,3 --shear 0.5,0", "--space clip --shear 0.5,0",
+                            "--ortho -1,1,-1,1,1,3 --shear 0.5,nan"}) {
+    const Result r = folder.run(std::string("clip ") + wrong, input);
+    CHECK(r.code == 2);
+    CHECK_THAT(r.err, Catch::Contains("--shear"));
+  }
+}
+
 TEST_CASE("clip: a malformed line is named with its number, exit 3, and nothing is written") {
   const Folder folder;
   const auto expect = [&](const std::string& input, const std::string& message) {

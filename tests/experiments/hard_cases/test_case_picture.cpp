@@ -4,8 +4,6 @@
 // written.
 #include "experiments/hard_cases/case_picture.hpp"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +13,7 @@
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/draw/vector_page.hpp"
 #include "experiments/machine/errors.hpp"
+#include "experiments/machine/temporary_folder.hpp"
 #include "experiments/survey/verdicts.hpp"
 #include "tests/catch.hpp"
 
@@ -22,19 +21,6 @@ namespace clipscope::experiments::hard_cases {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("clipscope-picture-" + std::to_string(getpid()))) {
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-  bool is_empty() const { return fs::is_empty(path_); }
-
- private:
-  fs::path path_;
-};
 
 std::string read(const fs::path& path) {
   std::ostringstream text;
@@ -75,7 +61,7 @@ bool has_numbers_only(const std::string& svg) {
 const HardCase& builtin_case(std::string_view name) { return find_case(builtin_catalogue(), name); }
 
 std::string svg_of(const CasePicture& picture) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_case_picture(folder / "a.svg", picture);
   return read(folder / "a.svg");
 }
@@ -88,7 +74,7 @@ CasePicture picture_by(const HardCase& hard_case, const std::string& clipper,
 }
 
 TEST_CASE("case picture: every case of the catalogue is drawn with every clipper of a family") {
-  const Folder folder;
+  const TemporaryFolder folder;
   for (const char* pattern : {"cvv/*", "whole/*", "view/*", "point/*"}) {
     for (const HardCase& c : builtin_catalogue()) {
       for (const Contestant* contestant : case_contestants(c.primitive, pattern, {"float"})) {
@@ -142,14 +128,14 @@ TEST_CASE("case picture: names and reasons may hold anything") {
 }
 
 TEST_CASE("case picture: the extension decides the format, others are refused") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const CasePicture picture = picture_by(builtin_case("w_sign/two_behind"), "cvv/naive");
   for (const char* name : {"a.gif", "a", "a.svgz", ".svg"}) {
     INFO(name);
     CHECK_THROWS_AS(page_format(folder / name), UsageError);
     CHECK_THROWS_AS(write_case_picture(folder / name, picture), UsageError);
   }
-  CHECK(folder.is_empty());
+  CHECK(fs::is_empty(folder.path()));
   write_case_picture(folder / "a.pdf", picture);
   write_case_picture(folder / "a.PNG", picture);
   CHECK(read(folder / "a.pdf").starts_with("%PDF-"));

@@ -2,7 +2,6 @@
 #include "experiments/render/figure.hpp"
 
 #include <OpenImageIO/imageio.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include <memory>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/machine/temporary_folder.hpp"
 #include "experiments/render/webp.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/render/shapes.hpp"
@@ -19,24 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder that lasts as long as its test.
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("clipscope_render_" + std::to_string(getpid()))) {
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-  std::ptrdiff_t files() const {
-    return std::distance(fs::directory_iterator(path_), fs::directory_iterator());
-  }
-
- private:
-  fs::path path_;
-};
+std::ptrdiff_t files_in(const TemporaryFolder& folder) {
+  return std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator());
+}
 
 // A tested buffer that lacks the right quarter of the truth, and the map of it.
 struct Example {
@@ -82,7 +67,7 @@ std::string message_of(const Action& action) {
 
 TEST_CASE("figure: a PNG holds the composed figure in 8 bits") {
   const Example example;
-  const Folder folder;
+  const TemporaryFolder folder;
   write_image(folder / "figure.png", example.figure);
   const Image composed = compose(example.figure);
   const Read png(folder / "figure.png");
@@ -90,12 +75,12 @@ TEST_CASE("figure: a PNG holds the composed figure in 8 bits") {
   CHECK(png.spec.height == composed.height);
   CHECK(png.spec.nchannels == 3);
   CHECK(png.spec.format == OIIO::TypeDesc::UINT8);
-  CHECK(folder.files() == 1);
+  CHECK(files_in(folder) == 1);
 }
 
 TEST_CASE("figure: as WebP it has every pixel of the PNG, in fewer bytes") {
   const Example example;
-  const Folder folder;
+  const TemporaryFolder folder;
   write_image(folder / "figure.png", example.figure);
   const std::string bytes = lossless_webp(folder / "figure.png");
   CHECK(bytes.size() < fs::file_size(folder / "figure.png"));
@@ -108,7 +93,7 @@ TEST_CASE("figure: as WebP it has every pixel of the PNG, in fewer bytes") {
 
 TEST_CASE("figure: an EXR holds the data pixel for pixel") {
   const Example example;
-  const Folder folder;
+  const TemporaryFolder folder;
   write_image(folder / "data.EXR", example.figure);
   const Read exr(folder / "data.EXR");
   CHECK(exr.spec.width == 64);
@@ -129,7 +114,7 @@ TEST_CASE("figure: without a heat map the picture stands alone") {
   const Example example;
   const Figure alone{&example.tested, nullptr, example.figure.titles, {}};
   CHECK(compose(alone).width < compose(example.figure).width);
-  const Folder folder;
+  const TemporaryFolder folder;
   write_image(folder / "alone.exr", alone);
   CHECK(Read(folder / "alone.exr").spec.channelindex("error") == -1);
 }
@@ -151,33 +136,33 @@ TEST_CASE("figure: hostile values and titles still make a figure") {
 
 TEST_CASE("figure: an unknown extension is an error that names the option and what it takes") {
   const Example example;
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::string name = GENERATE("figure.jpg", "figure", "png");
   const std::string message =
       message_of<UsageError>([&] { write_image(folder / name, example.figure); });
   CHECK_THAT(message, Catch::Contains("--out") && Catch::Contains(".png") &&
                           Catch::Contains(".exr") && Catch::Contains(name));
-  CHECK(folder.files() == 0);
+  CHECK(files_in(folder) == 0);
 }
 
 TEST_CASE("figure: a place that can't be written is an error that names it, and nothing is left") {
   const Example example;
-  const Folder folder;
+  const TemporaryFolder folder;
   std::ofstream(folder / "file") << "not a folder";
   const std::string name = GENERATE("absent/f.png", "absent/f.exr", "file/f.png", "file/f.exr");
   const std::string message =
       message_of<OutputError>([&] { write_image(folder / name, example.figure); });
   CHECK_THAT(message, Catch::StartsWith("can't write " + (folder / name).string() + ": ") &&
                           !Catch::EndsWith(": "));
-  CHECK(folder.files() == 1);
+  CHECK(files_in(folder) == 1);
 }
 
 TEST_CASE("figure: what can't be renamed into place leaves no partial file") {
   const Example example;
-  const Folder folder;
+  const TemporaryFolder folder;
   fs::create_directories(folder / "taken.png" / "inside");
   CHECK_THROWS_AS(write_image(folder / "taken.png", example.figure), OutputError);
-  CHECK(folder.files() == 1);
+  CHECK(files_in(folder) == 1);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/machine/temporary_folder.hpp"
 #include "experiments/report/plot.hpp"
 #include "experiments/report/plot_layout.hpp"
 #include "tests/catch.hpp"
@@ -17,21 +18,6 @@ using namespace clipscope::experiments;
 namespace fs = std::filesystem;
 
 namespace {
-
-// A folder for one test case.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "clipscope-plot-test-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 // The variable PATH for as long as the object lives.
 class SearchPath {
@@ -92,7 +78,7 @@ std::string message(const Plot& plot, const fs::path& folder) {
 }  // namespace
 
 TEST_CASE("plot: all three files are written whole, and nothing else") {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_plot(small_plot(), folder.path() / "deep");
   CHECK(contains(read(folder.path() / "deep" / "small.svg"), "</svg>"));
   CHECK(read(folder.path() / "deep" / "small.pdf").starts_with("%PDF"));
@@ -101,7 +87,7 @@ TEST_CASE("plot: all three files are written whole, and nothing else") {
 }
 
 TEST_CASE("plot: the same plot gives the same bytes") {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_plot(small_plot(), folder.path() / "a");
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // PDF dates count seconds
   write_plot(small_plot(), folder.path() / "b");
@@ -111,7 +97,7 @@ TEST_CASE("plot: the same plot gives the same bytes") {
 }
 
 TEST_CASE("plot: quotes, markup and commands in names are shown as they are and do nothing") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const fs::path trap = folder.path() / "trap";
   const std::vector<std::string> texts = {
       "'; set output '" + trap.string() + "' #\\",
@@ -147,7 +133,7 @@ TEST_CASE("plot: a name becomes a gnuplot string of letters, digits and octal es
 }
 
 TEST_CASE("plot: a title with quotes and brackets is a well-formed name of the SVG") {
-  const Folder folder;
+  const TemporaryFolder folder;
   Plot plot = small_plot();
   plot.title = "\"a\" < b & 'c'";
   write_plot(plot, folder.path());
@@ -156,7 +142,7 @@ TEST_CASE("plot: a title with quotes and brackets is a well-formed name of the S
 }
 
 TEST_CASE("plot: two plots in one page share no id") {
-  const Folder folder;
+  const TemporaryFolder folder;
   Plot plot = small_plot();
   write_plot(plot, folder.path());
   plot.name = "other-plot";
@@ -180,7 +166,7 @@ TEST_CASE("plot: points that can't be shown on a logarithmic axis are left out")
   CHECK(layout.points[0][1].x == 1000);
   // The line is not drawn across what is missing.
   CHECK(layout.points[0][1].begins);
-  const Folder folder;
+  const TemporaryFolder folder;
   CHECK_NOTHROW(write_plot(plot, folder.path()));
 }
 
@@ -197,7 +183,7 @@ TEST_CASE("plot: an interval that reaches to zero ends where a logarithmic axis 
 }
 
 TEST_CASE("plot: without a point that can be shown it says so") {
-  const Folder folder;
+  const TemporaryFolder folder;
   Plot plot = small_plot();
   plot.y.logarithmic = GENERATE(true, false);
   plot.series[0].y = {NAN, INFINITY, -INFINITY};
@@ -210,7 +196,7 @@ TEST_CASE("plot: without a point that can be shown it says so") {
 }
 
 TEST_CASE("plot: extreme values end in a plot, not in an endless loop") {
-  const Folder folder;
+  const TemporaryFolder folder;
   Plot plot = small_plot();
   plot.x.logarithmic = plot.y.logarithmic = GENERATE(true, false);
   plot.series[0].x = {1e-300, 1, 1e300};
@@ -231,7 +217,7 @@ TEST_CASE("plot: columns that differ in length are refused by the name of their 
 }
 
 TEST_CASE("plot: a folder that is a file is an error that names it") {
-  const Folder folder;
+  const TemporaryFolder folder;
   std::ofstream(folder.path() / "file") << "in the way";
   const std::string text = message(small_plot(), folder.path() / "file");
   CHECK(contains(text, (folder.path() / "file" / "small.svg").string()));
@@ -239,14 +225,14 @@ TEST_CASE("plot: a folder that is a file is an error that names it") {
 }
 
 TEST_CASE("plot: a missing gnuplot is an error that says what to install") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const SearchPath path(folder.path().string());
   CHECK(contains(message(small_plot(), folder.path()), "gnuplot-nox"));
   CHECK_FALSE(fs::exists(folder.path() / "small.svg"));
 }
 
 TEST_CASE("plot: what a failing gnuplot says is in the error, and no file is left") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const fs::path fake = folder.path() / "gnuplot";
   std::ofstream(fake) << "#!/bin/sh\necho 'line 3: out of ink' >&2\nexit " << GENERATE(0, 1)
                       << "\n";

@@ -2,11 +2,9 @@
 #include "tests/experiments/scenes/sample_files.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <random>
 #include <stdexcept>
 
 namespace clipscope::experiments {
@@ -40,23 +38,10 @@ std::string base64(const std::string& bytes) {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-  static std::atomic<int> count = 0;
-  const std::string name =
-      "clipscope-" + std::to_string(std::random_device{}()) + "-" + std::to_string(count++);
-  path_ = std::filesystem::temp_directory_path() / name;
-  std::filesystem::create_directories(path_);
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::filesystem::path TemporaryFolder::write(const std::string& name,
-                                             const std::string& content) const {
-  std::ofstream(path_ / name, std::ios::binary) << content;
-  return path_ / name;
+std::filesystem::path FolderOfFiles::write(const std::string& name,
+                                           const std::string& content) const {
+  std::ofstream(path() / name, std::ios::binary) << content;
+  return path() / name;
 }
 
 std::string sample_obj() {

@@ -10,25 +10,17 @@
 #include <string>
 #include <vector>
 
+#include "experiments/machine/temporary_folder.hpp"
+
 namespace clipscope::experiments {
 
 inline constexpr std::array<std::array<float, 3>, 5> kPyramid = {
     {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5f, 0.5f, 1}}};
 
-// A folder of its own that goes away with its content.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
+// A folder for files of a test.
+struct FolderOfFiles : TemporaryFolder {
   // Writes a file in the folder and yields its path.
   std::filesystem::path write(const std::string& name, const std::string& content) const;
-
- private:
-  std::filesystem::path path_;
 };
 
 struct SampleFile {

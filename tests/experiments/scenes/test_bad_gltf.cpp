@@ -12,7 +12,7 @@ namespace clipscope::experiments {
 namespace {
 
 std::string gltf_refusal(const std::string& name, const std::string& content) {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const auto path = folder.write(name, content);
   return message_of<InputError>([&] { load_mesh(path); });
 }
@@ -119,7 +119,7 @@ TEST_CASE("bad glTF: a required extension that may change the geometry is refuse
   };
   CHECK(contains(gltf_refusal("a.gltf", requiring("KHR_implicit_shapes")),
                  "extensionsRequired holds KHR_implicit_shapes, which is not known"));
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   CHECK_NOTHROW(load_mesh(folder.write("a.gltf", requiring("KHR_materials_unlit"))));
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("bad glTF: binary files must have the length and chunks that they anno
 }
 
 TEST_CASE("bad glTF: buffers elsewhere must be there and long enough") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const auto path = folder.write("a.gltf", sample_gltf_json("\"uri\":\"a.bin\","));
   const auto message = [&] { return message_of<InputError>([&] { load_mesh(path); }); };
   CHECK(contains(message(), "a.bin: no such file"));

@@ -16,7 +16,7 @@ namespace {
 
 // The message for a file with that content; it names the file.
 std::string mesh_refusal(const std::string& name, const std::string& content) {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const auto path = folder.write(name, content);
   const std::string message = message_of<InputError>([&] { load_mesh(path); });
   CHECK(message.starts_with(path.string() + ":"));
@@ -29,7 +29,7 @@ std::string with_float(std::string bytes, std::size_t offset, float value) {
 }
 
 TEST_CASE("bad files: a missing file, a directory, an empty file and a strange one") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const auto message = [&](const std::string& name) {
     return message_of<InputError>([&] { load_mesh(folder.path() / name); });
   };
@@ -46,7 +46,7 @@ TEST_CASE("bad files: a missing file, a directory, an empty file and a strange o
 }
 
 TEST_CASE("bad files: one that may not be read") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const auto path = folder.write("locked.obj", sample_obj());
   std::filesystem::permissions(path, std::filesystem::perms::none);
   if (std::ifstream(path)) {

@@ -24,7 +24,7 @@ std::optional<Mesh> try_load(const std::filesystem::path& path) {
 
 TEST_CASE("damaged files: one that is cut off anywhere is refused or sound") {
   const SampleFile file = GENERATE(from_range(sample_files()));
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   std::size_t accepted = 0;
   for (std::size_t length = 0; length < file.content.size(); ++length) {
     const auto mesh = try_load(folder.write(file.name, file.content.substr(0, length)));
@@ -40,7 +40,7 @@ TEST_CASE("damaged files: one that is cut off anywhere is refused or sound") {
 
 TEST_CASE("damaged files: one with a byte changed is refused or sound") {
   const SampleFile file = GENERATE(from_range(sample_files()));
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   for (std::size_t i = 0; i < file.content.size(); ++i) {
     for (const int change : {0x01, 0x90}) {
       std::string content = file.content;

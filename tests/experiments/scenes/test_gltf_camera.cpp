@@ -22,7 +22,7 @@ constexpr const char* kJson = R"({"asset":{"version":"2.0"},
 "scenes":[{"nodes":[0,2]}]})";
 
 std::vector<GltfCamera> cameras_of(const std::string& json) {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   return read_gltf_cameras(folder.write("a.gltf", json));
 }
 

@@ -19,7 +19,7 @@ TEST_CASE("load_scene: a built-in name gives that scene with its own views") {
 }
 
 TEST_CASE("load_scene: a path gives the file's mesh and a walk through it") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const Scene scene = load_scene(folder.write("pyramid.ply", sample_ply_text()).string(), {}, {});
   CHECK(scene.name == "pyramid.ply");
   CHECK(scene.mesh.triangles.size() == 6);

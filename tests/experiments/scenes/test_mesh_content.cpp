@@ -16,7 +16,7 @@ namespace clipscope::experiments {
 namespace {
 
 Mesh mesh_of(const std::string& name, const std::string& content) {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   return load_mesh(folder.write(name, content));
 }
 

@@ -38,7 +38,7 @@ std::multiset<std::array<Point, 3>> pyramid(float scale, const Point& shift) {
 
 TEST_CASE("mesh files: every format gives the pyramid, glTF with its nodes' transforms applied") {
   const SampleFile file = GENERATE(from_range(sample_files()));
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   INFO(file.name);
   const Mesh mesh = load_mesh(folder.write(file.name, file.content));
   const bool moved = file.name.ends_with(".gltf") || file.name.ends_with(".glb");
@@ -48,13 +48,13 @@ TEST_CASE("mesh files: every format gives the pyramid, glTF with its nodes' tran
 
 TEST_CASE("mesh files: vertices that are equal in every bit are stored once") {
   const SampleFile file = GENERATE(from_range(sample_files()));
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   INFO(file.name);
   CHECK(load_mesh(folder.write(file.name, file.content)).positions.size() == 5);
 }
 
 TEST_CASE("mesh files: texture coordinates are the file's where it has them") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const Mesh mesh = load_mesh(folder.write("a.obj", sample_obj()));
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const bool apex = mesh.positions[i][2] == 1;
@@ -65,7 +65,7 @@ TEST_CASE("mesh files: texture coordinates are the file's where it has them") {
 
 TEST_CASE(
     "mesh files: without texture coordinates and normals they are places in the bounding box") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const Mesh mesh = load_mesh(folder.write("a.stl", sample_stl_binary()));
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const auto& [x, y, z] = mesh.positions[i];
@@ -74,7 +74,7 @@ TEST_CASE(
 }
 
 TEST_CASE("mesh files: normals are scaled to length 1") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const Mesh mesh = load_mesh(folder.write("a.ply", sample_ply_text()));
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     // The apex has the normal (3, 0, 4).
@@ -97,7 +97,7 @@ TEST_CASE("mesh files: text with nine digits gives back the float it was printed
     text +=
         "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
   }
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const Mesh mesh = load_mesh(folder.write("digits.obj", text));
   REQUIRE(mesh.triangles.size() == 98);
   for (std::size_t i = 0; i < 98; ++i) {
@@ -109,12 +109,12 @@ TEST_CASE("mesh files: text with nine digits gives back the float it was printed
 }
 
 TEST_CASE("mesh files: the extension counts in any case, and the path may have spaces") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   CHECK(load_mesh(folder.write("a pyramid.OBJ", sample_obj())).triangles.size() == 6);
 }
 
 TEST_CASE("OBJ: comments, continued lines, colours, rational vertices and CR line ends are read") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const std::string obj =
       "v 0 0 0 # origin\r\n"
       "v 2 0 \\\r\n 0 2\r\n"
@@ -126,13 +126,13 @@ TEST_CASE("OBJ: comments, continued lines, colours, rational vertices and CR lin
 }
 
 TEST_CASE("OBJ: a comment that ends in a backslash ends with its line") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const auto path = folder.write("a.obj", "# C:\\models\\\n" + sample_obj());
   CHECK(load_mesh(path).triangles.size() == 6);
 }
 
 TEST_CASE("OBJ: numbers may be written in every way that C prints them") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const Mesh mesh =
       load_mesh(folder.write("a.obj", "v 1. .5 -.25\nv +1e+2 1E-2 -1e2\nv 0 1 1e-50\nf 1 2 3\n"));
   REQUIRE(mesh.positions.size() == 3);
@@ -142,7 +142,7 @@ TEST_CASE("OBJ: numbers may be written in every way that C prints them") {
 }
 
 TEST_CASE("OBJ: a texture coordinate may be u alone, or u, v and w") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt .25\nvt 1 2 3\nf 1/1 2/1 3/2\n";
   const Mesh mesh = load_mesh(folder.write("a.obj", obj));
   REQUIRE(mesh.attributes.size() == 3);
@@ -163,7 +163,7 @@ TEST_CASE(
     if (i % 3 == 2) text += "\n";
     if (i % 9 == 8) text += "endloop\nendfacet\n";
   }
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const Mesh mesh = load_mesh(folder.write("digits.stl", text + "endsolid\n"));
   REQUIRE(mesh.triangles.size() == 10);
   for (std::size_t i = 0; i < 90; ++i) {
@@ -172,33 +172,33 @@ TEST_CASE(
 }
 
 TEST_CASE("OBJ: a face may come before its vertices") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   CHECK(load_mesh(folder.write("a.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n")).triangles.size() ==
         1);
 }
 
 TEST_CASE("OBJ: keywords of the format that make no polygon are skipped unread") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const std::string unused =
       "l 1 2 99\np 4\nvp 0.5\ns off\ng a b\nusemtl nonsense/#1\ncstype bspline\nvw 1 2\nt crease\n";
   CHECK(load_mesh(folder.write("a.obj", sample_obj() + unused)).triangles.size() == 6);
 }
 
 TEST_CASE("OBJ: no file that it names is needed") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   folder.write("pyramid.mtl", "newmtl stone\nmap_Kd missing.png\nKd nonsense\n");
   CHECK(load_mesh(folder.write("a.obj", sample_obj())).triangles.size() == 6);
 }
 
 TEST_CASE("glTF: a buffer in a file next to it is found, also under a name with a space") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   folder.write("the bytes.bin", sample_gltf_buffer());
   const auto path = folder.write("a.gltf", sample_gltf_json("\"uri\":\"the%20bytes.bin\","));
   CHECK(load_mesh(path).triangles.size() == 6);
 }
 
 TEST_CASE("glTF: strips and fans are taken apart with their winding") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   // The base as a strip would need 0 1 3 2; the indices start with 0 1 2 0.
   const std::string json = replaced(replaced(sample_gltf_json(""), "\"count\":18", "\"count\":4"),
                                     "\"indices\":2", "\"mode\":5,\"indices\":2");
@@ -209,7 +209,7 @@ TEST_CASE("glTF: strips and fans are taken apart with their winding") {
 }
 
 TEST_CASE("glTF: a mesh that two nodes show is there twice, and only the default scene counts") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const std::string json =
       replaced(replaced(sample_gltf_json(""), "\"scale\":[2,2,2]}",
                         "\"scale\":[2,2,2]},{\"mesh\":0},{\"mesh\":0,\"translation\":[50,0,0]}"),

@@ -18,7 +18,7 @@ constexpr const char* kFarBox =
     "f 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
 Scene far_box(const CameraOptions& camera = {}) {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   return load_scene(folder.write("box.obj", kFarBox).string(), {}, camera);
 }
 
@@ -37,7 +37,7 @@ TEST_CASE("detail: positions that fall together in float are counted, with the u
 
 TEST_CASE("detail: a mesh of floats loses nothing, and one near the origin neither") {
   CHECK(describe(lost_detail(make_builtin_scene("floor", {}).mesh), "floor").empty());
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const Scene scene = load_scene(
       folder.write("a.obj", replaced(sample_obj(), "0.5 0.5", "0.1 0.2")).string(), {}, {});
   CHECK_FALSE(scene.mesh.double_positions.empty());
@@ -45,7 +45,7 @@ TEST_CASE("detail: a mesh of floats loses nothing, and one near the origin neith
 }
 
 TEST_CASE("detail: positions that stay apart may still bend the triangles") {
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const Scene scene = load_scene(
       folder.write("a.obj", "v 12958095.12 0 0\nv 12958095.52 0 0\nv 12958095.12 9 0\nf 1 2 3\n")
           .string(),

@@ -84,7 +84,7 @@ TEST_CASE("text files: a separator, comments and continued lines are read as the
 TEST_CASE("text files: every format of text is read alike behind a mark and with any line ends") {
   const std::string end = GENERATE("\n", "\r\n", "\r");
   const std::string mark = GENERATE(std::string(), kMark);
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   for (const SampleFile& file : sample_files()) {
     const bool is_text = file.name == "a.obj" || file.name == "text.ply" ||
                          file.name == "strips.ply" || file.name == "text.stl" ||
@@ -104,7 +104,7 @@ TEST_CASE("text files: every format of text is read alike behind a mark and with
 
 TEST_CASE("text files: the header of a binary PLY file may have a mark and any line ends") {
   const std::string end = GENERATE("\r\n", "\r");
-  const TemporaryFolder folder;
+  const FolderOfFiles folder;
   const std::string plain = sample_ply_binary(false);
   const std::size_t body = plain.find("end_header\n") + 11;
   const std::string changed =

@@ -2,7 +2,6 @@
 //
 // What goes into a store comes out of it, to the bit, and what is no store is refused.
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include <string>
 
 #include "experiments/machine/errors.hpp"
+#include "experiments/machine/temporary_folder.hpp"
 #include "experiments/store/database.hpp"
 #include "experiments/store/results_store.hpp"
 #include "experiments/store/run_folder.hpp"
@@ -24,15 +24,8 @@ namespace {
 using namespace clipscope::experiments;
 namespace fs = std::filesystem;
 
-// A folder for one test case.
-struct TestFolder {
-  TestFolder() : path(fs::temp_directory_path() / ("clipscope-store-" + std::to_string(getpid()))) {
-    fs::create_directories(path);
-  }
-  ~TestFolder() { fs::remove_all(path); }
-  fs::path store() const { return path / kStoreFile; }
-
-  const fs::path path;
+struct TestFolder : TemporaryFolder {
+  fs::path store() const { return path() / kStoreFile; }
 };
 
 RunRecorder new_recorder(const fs::path& file) {
@@ -91,7 +84,7 @@ TEST_CASE("store: every kind of value comes back with its bits and its type") {
     for (const Cell& value : kAllKinds) table.add_row({std::string("plain"), value});
     recorder.add(table);
   }
-  const Table stored = ResultsStore(folder.path).table("small");
+  const Table stored = ResultsStore(folder.path()).table("small");
   CHECK(stored.title() == table.title());
   CHECK(stored.columns()[1].head == "value [px]");
   REQUIRE(stored.rows().size() == 2 * kAllKinds.size());
@@ -143,7 +136,7 @@ TEST_CASE("store: samples, worst inputs, figures, findings and notes are kept") 
     recorder.finish(1.5);
     begin(recorder, "two", 1);
   }
-  const ResultsStore store(folder.path);
+  const ResultsStore store(folder.path());
   const auto experiments = store.experiments();
   REQUIRE(experiments.size() == 2);
   CHECK(experiments[0].name == "two");
@@ -176,7 +169,7 @@ TEST_CASE("store: texts that are no UTF-8 are read with the replacement characte
     recorder.set_finding("\xFF");
     recorder.finish(1);
   }
-  const ResultsStore store(folder.path);
+  const ResultsStore store(folder.path());
   const std::string mark = "\xEF\xBF\xBD";
   CHECK(value_of(store.run_info(), "command") == "clipscope " + mark);
   CHECK(store.experiments().at(0).finding == mark);
@@ -216,12 +209,12 @@ TEST_CASE("store: a cell that throws leaves nothing") {
                   InputError);
   CHECK(recorder.store().tables().empty());
   Table again = small_table();
-  CHECK_FALSE(recorder.restore("cell", {&again}, folder.path));
+  CHECK_FALSE(recorder.restore("cell", {&again}, folder.path()));
 }
 
 TEST_CASE("store: a cell comes back once stored, and again if its picture is gone") {
   const TestFolder folder;
-  std::ofstream(folder.path / "a.png") << "picture";
+  std::ofstream(folder.path() / "a.png") << "picture";
   const auto work = [](Table& table) {
     return [&table](PieceRecord& record) {
       table.add_row({std::string("a"), 1.0});
@@ -237,12 +230,12 @@ TEST_CASE("store: a cell comes back once stored, and again if its picture is gon
   RunRecorder recorder(open_database(folder.store()), folder.store());
   begin(recorder, "one");
   Table table = small_table();
-  REQUIRE(recorder.restore("cell", {&table}, folder.path));
+  REQUIRE(recorder.restore("cell", {&table}, folder.path()));
   CHECK(table.rows() == std::vector<std::vector<Cell>>{{std::string("a"), 1.0}});
-  fs::remove(folder.path / "a.png");
+  fs::remove(folder.path() / "a.png");
   begin(recorder, "one");
   Table again = small_table();
-  REQUIRE_FALSE(recorder.restore("cell", {&again}, folder.path));
+  REQUIRE_FALSE(recorder.restore("cell", {&again}, folder.path()));
   CHECK(again.rows().empty());
   recorder.record("cell", {&again}, work(again));
   CHECK(recorder.store().table("small").rows().size() == 1);
@@ -280,18 +273,18 @@ TEST_CASE("store: a table is complete when it was added, not before") {
 
 TEST_CASE("store: what is no store, of another version or damaged is refused with its path") {
   const TestFolder folder;
-  CHECK_THROWS_WITH(ResultsStore(folder.path), Catch::Contains("no such file"));
+  CHECK_THROWS_WITH(ResultsStore(folder.path()), Catch::Contains("no such file"));
   std::ofstream(folder.store()) << "this is a text, not a database, and a long one at that";
-  CHECK_THROWS_AS(ResultsStore(folder.path), InputError);
+  CHECK_THROWS_AS(ResultsStore(folder.path()), InputError);
   fs::remove(folder.store());
   SQLite::Database(folder.store().string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
       .exec("CREATE TABLE t(a)");
-  CHECK_THROWS_WITH(ResultsStore(folder.path), Catch::Contains("no results store"));
+  CHECK_THROWS_WITH(ResultsStore(folder.path()), Catch::Contains("no results store"));
   fs::remove(folder.store());
   new_recorder(folder.store());
   SQLite::Database(folder.store().string(), SQLite::OPEN_READWRITE)
       .exec("PRAGMA user_version = 99");
-  CHECK_THROWS_WITH(ResultsStore(folder.path),
+  CHECK_THROWS_WITH(ResultsStore(folder.path()),
                     Catch::Contains("format 99") && Catch::Contains(kStoreFile));
 }
 
@@ -306,25 +299,25 @@ TEST_CASE("store: a damaged page is an error of reading, not a wrong table") {
   }
   const auto size = fs::file_size(folder.store());
   fs::resize_file(folder.store(), size / 2);
-  CHECK_THROWS_AS(ResultsStore(folder.path).table("small"), InputError);
+  CHECK_THROWS_AS(ResultsStore(folder.path()).table("small"), InputError);
 }
 
 TEST_CASE("store: one process writes into a folder at a time") {
   const TestFolder folder;
   {
-    const FolderLock lock(folder.path);
-    CHECK_THROWS_AS(FolderLock(folder.path), OutputError);
+    const FolderLock lock(folder.path());
+    CHECK_THROWS_AS(FolderLock(folder.path()), OutputError);
   }
-  CHECK_NOTHROW(FolderLock(folder.path));
+  CHECK_NOTHROW(FolderLock(folder.path()));
 }
 
 TEST_CASE("store: an older one is kept under its date") {
   const TestFolder folder;
   new_recorder(folder.store());
-  const OpenedStore second = start_store(folder.path, {{"started", "later"}});
-  CHECK(second.kept == folder.path / "results-20260301-123456.sqlite");
+  const OpenedStore second = start_store(folder.path(), {{"started", "later"}});
+  CHECK(second.kept == folder.path() / "results-20260301-123456.sqlite");
   CHECK(ResultsStore(second.kept).run_info().at(0).second == "2026-03-01T12:34:56Z");
-  CHECK(ResultsStore(folder.path).run_info().at(0).second == "later");
+  CHECK(ResultsStore(folder.path()).run_info().at(0).second == "later");
 }
 
 TEST_CASE("store: the command of a run names every option of the camera that was given") {

@@ -88,9 +88,7 @@ void store_audit(const AuditReport& report, const AuditOptions& options, double 
   RunInfo info = run_info_of(default_run_selection());
   std::ranges::find(info, "command", &RunInfo::value_type::first)->second = command;
   const OpenedStore opened = start_store(*options.out, info);
-  if (!opened.kept.empty()) {
-    fmt::print(stderr, "results of an older run are kept as {}\n", opened.kept.string());
-  }
+  tell_kept(opened);
   RunRecorder recorder(opened.database, opened.file);
   recorder.begin({"audit", "What does this driver do to every case?", command, ""}, 0);
   TableOf<QuantityRow> quantities;

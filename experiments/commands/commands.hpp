@@ -33,6 +33,7 @@ void add_camera_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
 void add_plan_command(CLI::App& app, Action& action);
 void add_sweep_command(CLI::App& app, Action& action);
+void add_merge_command(CLI::App& app, Action& action);
 void add_hunt_command(CLI::App& app, Action& action);
 void add_promote_command(CLI::App& app, Action& action);
 void add_paper_command(CLI::App& app, Action& action);

@@ -5,6 +5,7 @@
 
 #include "experiments/commands/options.hpp"
 #include "experiments/guests/program.hpp"
+#include "experiments/machine/shell_word.hpp"
 #include "experiments/selection/replay_text.hpp"
 
 namespace clipscope::experiments::commands {
@@ -50,6 +51,13 @@ void add_guest_space_option(CLI::App& command, GuestOptions& options) {
       .add_option("--space", options.space,
                   "Space that the program starts in: view (x y z) or clip (x y z w) [clip]")
       ->check(CLI::IsMember({"view", "clip"}));
+}
+
+std::string command_options(const GuestOptions& options) {
+  std::string text;
+  for (const std::string& library : options.plugins) text += " --plugin " + shell_word(library);
+  for (const std::string& program : options.programs) text += " --program " + shell_word(program);
+  return text;
 }
 
 std::vector<std::string_view> load_guests(const GuestOptions& options) {

@@ -28,6 +28,9 @@ void add_guest_options(CLI::App& command, GuestOptions& options);
 // --space of programs, where it does not say what space the command's input is in.
 void add_guest_space_option(CLI::App& command, GuestOptions& options);
 
+// The options that bring them, as a command has them: " --plugin ./libmine.so"; empty for none.
+std::string command_options(const GuestOptions& options);
+
 // Their names, plug-ins first, in the order given. Errors: GuestError, UsageError.
 std::vector<std::string_view> load_guests(const GuestOptions& options);
 // The same for commands that compare clippers. Errors: UsageError, too, if a guest computes in none

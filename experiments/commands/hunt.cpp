@@ -4,7 +4,6 @@
 #include "experiments/hunt/hunt.hpp"
 
 #include <fmt/ranges.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,7 +11,7 @@
 #include <optional>
 
 #include "experiments/catalogue/catalogue.hpp"
-#include "experiments/commands/guest_options.hpp"
+#include "experiments/commands/hunt_result.hpp"
 #include "experiments/commands/measure_option.hpp"
 #include "experiments/commands/options.hpp"
 #include "experiments/hunt/rows.hpp"
@@ -33,16 +32,6 @@ using hunt::Measure;
 using hunt::replay_command;
 using hunt::Trophy;
 
-struct HuntCommandOptions {
-  Selection selection;
-  GuestOptions guests;
-  std::vector<std::string> measures = {"px"};
-  hunt::HuntOptions hunt;
-  bool without_catalogue = false;
-  std::optional<std::string> out, corpus_out;
-  std::optional<int> threads;
-};
-
 // Those of --clipper, and the guests.
 Contestants hunted_contestants(HuntCommandOptions& options) {
   load_guests(options.guests, options.selection);
@@ -61,119 +50,13 @@ Contestants hunted_contestants(HuntCommandOptions& options) {
   return guests;
 }
 
-// The options that say where to hunt.
-std::string ways_of(const hunt::HuntOptions& options) {
-  std::string text = options.catalogue ? "" : " --without-catalogue";
-  if (options.plain) text += " --plain";
-  if (options.in_domain) text += " --in-domain";
-  if (options.space) text += *options.space == Space::view ? " --space view" : " --space clip";
-  return text;
-}
-
-// The one that finds the same again.
-std::string hunt_command(const Contestant& contestant, const hunt::HuntOptions& options,
-                         const Hunted& hunted) {
-  return fmt::format("clipscope hunt {} --measure {} --seed {} --evaluations {}{}",
-                     options_of(contestant), name_of(options.measure), options.seed,
-                     hunted.evaluations, ways_of(options));
-}
-
-// --- While it goes on ----------------------------------------------------------------------------
-
-// Tells on standard error how far a hunt is, and now and then of a new worst.
-class Teller {
- public:
-  Teller(const Contestant& contestant, const hunt::HuntOptions& options)
-      : options_(options),
-        label_(fmt::format("hunt {} {}", name_of(options.measure), name_of(contestant))),
-        progress_(label_, kSteps) {}
-
-  void operator()(const Hunted& hunted) {
-    const double part = options_.evaluations ? static_cast<double>(hunted.evaluations) /
-                                                   static_cast<double>(*options_.evaluations)
-                                             : hunted.seconds / options_.seconds;
-    const auto steps = static_cast<std::size_t>(std::min(part, 1.0) * kSteps);
-    progress_.advance(steps - steps_);
-    steps_ = steps;
-    if (!hunted.worst || hunted.worst->value <= told_ || hunted.seconds < next_) return;
-    told_ = hunted.worst->value;
-    next_ = hunted.seconds + kSeconds;
-    clear_progress_line();
-    fmt::print(stderr, "{}: {:.6g} after {} evaluations\n", label_, told_, hunted.evaluations);
-  }
-
- private:
-  static constexpr std::size_t kSteps = 1000;
-  static constexpr double kSeconds = 2;  // between two tidings
-
-  const hunt::HuntOptions& options_;
-  std::string label_;
-  Progress progress_;
-  std::size_t steps_ = 0;
-  double told_ = 0, next_ = 0;
-};
-
 // --- What was found ------------------------------------------------------------------------------
 
-struct Result {
-  const Contestant* contestant;
-  Measure measure;
-  Hunted hunted;
-  std::optional<Trophy> worst, shrunk;
-  std::string command;  // that finds the same
-
-  std::string failing() const {
-    std::vector<std::string_view> outcomes;
-    for (std::size_t i = 0; i < kOutcomes; ++i) {
-      if (hunted.failing[i]) outcomes.push_back(kOutcomeNames[i]);
-    }
-    return fmt::format("{}", fmt::join(outcomes, ", "));
-  }
-  double per_second() const {
-    return hunted.seconds == 0 ? 0 : static_cast<double>(hunted.evaluations) / hunted.seconds;
-  }
-  std::string replay(const std::optional<Trophy>& trophy) const {
-    return trophy ? replay_command(*contestant, trophy->cases) : "";
-  }
-};
-
-Result hunted_one(const Contestant& contestant, Measure measure, hunt::HuntOptions options) {
-  options.measure = measure;
-  Result result{&contestant, measure, {}, {}, {}, {}};
-  {
-    Teller teller(contestant, options);
-    result.hunted = hunt::hunt(contestant, options, [&](const Hunted& h) { teller(h); });
-  }
-  result.command = hunt_command(contestant, options, result.hunted);
-  if (!result.hunted.worst) return result;
-  result.worst = described(contestant, measure, *result.hunted.worst, result.command);
-  result.shrunk =
-      described(contestant, measure, shrunk(contestant, measure, *result.worst, options.in_domain),
-                "shrunk from what was found by " + result.command);
-  return result;
-}
-
-HuntRow row_of(const Result& r) {
-  return {.clipper = std::string(r.contestant->clipper),
-          .scalar = std::string(r.contestant->scalar()),
-          .measure = std::string(name_of(r.measure)),
-          .worst = r.worst ? r.worst->value : 0,
-          .evaluations = static_cast<std::int64_t>(r.hunted.evaluations),
-          .evaluations_per_second = r.per_second(),
-          .failing = r.failing(),
-          .replay = r.replay(r.worst),
-          .shrunk = r.shrunk ? r.shrunk->value : 0,
-          .shrunk_replay = r.replay(r.shrunk),
-          .worst_case = r.worst ? cases_text(*r.worst) : "",
-          .shrunk_case = r.shrunk ? cases_text(*r.shrunk) : "",
-          .hunt = r.command};
-}
-
-void print_trophy(const Result& r, const std::optional<Trophy>& trophy) {
+void print_trophy(const HuntResult& r, const std::optional<Trophy>& trophy) {
   fmt::print("{}{}\n", cases_text(*trophy), r.replay(trophy));
 }
 
-void print(const Result& r) {
+void print(const HuntResult& r) {
   fmt::print("{}: ", name_of(*r.contestant));
   if (r.worst) {
     fmt::print("{} {:.6g}, a lower bound of the worst\n", name_of(r.measure), r.worst->value);
@@ -196,14 +79,14 @@ void print(const Result& r) {
   fmt::print("\n");
 }
 
-nlohmann::json json_of(const Result& r, const std::optional<Trophy>& trophy) {
+nlohmann::json json_of(const HuntResult& r, const std::optional<Trophy>& trophy) {
   if (!trophy) return nullptr;
   const nlohmann::json value =
       std::isfinite(trophy->value) ? nlohmann::json(trophy->value) : nlohmann::json("inf");
   return {{"value", value}, {"case", cases_text(*trophy)}, {"replay", r.replay(trophy)}};
 }
 
-nlohmann::json json_of(const Result& r) {
+nlohmann::json json_of(const HuntResult& r) {
   nlohmann::json failing = nlohmann::json::object();
   for (std::size_t i = 0; i < kOutcomes; ++i) {
     if (!r.hunted.failing[i]) continue;
@@ -223,24 +106,6 @@ nlohmann::json json_of(const Result& r) {
 
 // --- Where it goes -------------------------------------------------------------------------------
 
-// What the store says of itself.
-std::string whole_command(const HuntCommandOptions& options) {
-  const Selection& selection = options.selection;
-  std::string command = "clipscope hunt";
-  if (!selection.clipper.empty()) command += " --clipper " + shell_word(selection.clipper);
-  for (const std::string& library : options.guests.plugins) {
-    command += " --plugin " + shell_word(library);
-  }
-  for (const std::string& program : options.guests.programs) {
-    command += " --program " + shell_word(program);
-  }
-  command += fmt::format(" --scalar {} --measure {} --seed {}", fmt::join(selection.scalars, ","),
-                         fmt::join(options.measures, ","), selection.seed);
-  command += options.hunt.evaluations ? fmt::format(" --evaluations {}", *options.hunt.evaluations)
-                                      : fmt::format(" --seconds {:g}", options.hunt.seconds);
-  return command + ways_of(options.hunt);
-}
-
 // The results as a store; nothing without a folder.
 class HuntStore {
  public:
@@ -252,14 +117,12 @@ class HuntStore {
     RunInfo info = run_info_of(options.selection);
     std::ranges::find(info, "command", &RunInfo::value_type::first)->second = command;
     const OpenedStore opened = start_store(*options.out, info);
-    if (!opened.kept.empty()) {
-      fmt::print(stderr, "results of an older run are kept as {}\n", opened.kept.string());
-    }
+    tell_kept(opened);
     recorder_.emplace(opened.database, opened.file);
     recorder_->begin({"hunt", "On which input is a clipper worst?", command, ""}, 0);
   }
 
-  void add(const Result& r) {
+  void add(const HuntResult& r) {
     if (!recorder_) return;
     const HuntRow row = row_of(r);
     recorder_->record(
@@ -297,17 +160,17 @@ int run_hunt(HuntCommandOptions options) {
   if (!options.guests.space.empty()) {
     options.hunt.space = options.guests.space == "view" ? Space::view : Space::clip;
   }
-  std::optional<tbb::global_control> limit;
-  if (options.threads) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(*options.threads));
+  const ThreadLimit limit(options.shard.threads);
+  if (options.is_spread()) {
+    spread_hunts(options, contestants, measures);
+    return kExitOk;
   }
   HuntStore store(options);
   nlohmann::json hunts = nlohmann::json::array();
   double seconds = 0;
   for (const Contestant* contestant : contestants) {
     for (const Measure measure : measures) {
-      const Result result = hunted_one(*contestant, measure, options.hunt);
+      const HuntResult result = hunted_one(*contestant, measure, options.hunt);
       seconds += result.hunted.seconds;
       store.add(result);
       if (options.corpus_out && result.shrunk) {
@@ -392,9 +255,12 @@ Examples:
              "Add the shrunk cases to this file of cases");
   add_option(command, "--out", options.out, "DIR",
              "Store the results in this folder, for `clipscope promote` and `clipscope table`");
-  add_option(command, "--threads", options.threads, "N",
-             "Threads to use at most; the results do not depend on it [all processors]")
-      ->check(CLI::Range(1, 4096));
+  add_option(
+      command, "--hunts", options.hunts, "N",
+      "Hunts of each clipper and measure, from this seed and the next ones; the worst counts [1]")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
+  add_shard_options(command, options.shard);
+  add_threads_option(command, options.shard.threads);
   add_json_option(command, options.selection);
 }
 

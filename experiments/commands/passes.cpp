@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "experiments/commands/run_text.hpp"
+#include "experiments/commands/shard_options.hpp"
 #include "experiments/machine/errors.hpp"
 #include "experiments/machine/files.hpp"
 #include "experiments/machine/progress.hpp"
@@ -63,10 +64,8 @@ void expect_as_before(const fs::path& kept, const RunInfo& now, Pass& pass) {
 void open_recorder(const RunInfo& info, Pass& pass) {
   const std::string out = pass.out.string();
   const OpenedStore opened = pass.plan.resume ? resume_store(out, info) : start_store(out, info);
-  if (!opened.kept.empty()) {
-    fmt::print(stderr, "results of an older run are kept as {}\n", opened.kept.string());
-    expect_as_before(opened.kept, info, pass);
-  }
+  tell_kept(opened);
+  if (!opened.kept.empty()) expect_as_before(opened.kept, info, pass);
   if (pass.plan.resume && !opened.resumed) {
     fmt::print(stderr, "--resume: {} has no results yet; all are computed\n", out);
   }
@@ -81,7 +80,7 @@ std::string finding_of(const RunRecorder& recorder, const std::string& experimen
 }
 
 void tell_findings(const Pass& pass, const ExperimentContext& context, const std::string& name) {
-  if (!pass.plan.findings || pass.selection.json) return;
+  if (!pass.plan.findings || pass.selection.json || !pass.plan.shard.is_whole()) return;
   clear_progress_line();
   fmt::print("{}\n{}", name, indented(finding_of(*pass.recorder, name)));
   context.tell_files();
@@ -102,6 +101,23 @@ std::vector<RunStep> steps_of(const Pass& pass) {
   return steps;
 }
 
+// The run's own, and of a shard which one it is.
+RunInfo info_of(const RunPlan& plan, const Selection& selection) {
+  const RunInfo info = run_info_of(selection);
+  return plan.shard.is_whole() ? info : spread_info(info, plan.shard);
+}
+
+// What `merge` asks of the folder of a shard that is done.
+void tell_merge(const Pass& pass, double seconds) {
+  const Shard& shard = pass.plan.shard;
+  const auto done = static_cast<std::int64_t>(pass.experiments.size());
+  TableOf<ShardRow> table;
+  table.add({static_cast<std::int64_t>(shard.index), static_cast<std::int64_t>(shard.count), done,
+             done, seconds});
+  pass.recorder->replace({&table}, false);
+  tell_shard(shard, pass.out.string());
+}
+
 // Returns how long it took.
 double do_pass(const Pass& pass) {
   const ExperimentContext context(pass.selection, pass.out, pass.recorder);
@@ -117,6 +133,7 @@ double do_pass(const Pass& pass) {
     progress.finish_step(seconds_since(start));
     tell_findings(pass, context, name);
   }
+  if (!pass.plan.shard.is_whole()) return progress.elapsed();
   write_report(pass.recorder->store(), pass.out, pass.plan.page);
   write_results_readme(pass.recorder->store(), pass.out);
   return progress.elapsed();
@@ -188,8 +205,10 @@ void run_passes(const RunPlan& plan) {
     pass.expected_seconds = make_first_pass(plan);
     for (auto& [name, seconds] : pass.expected_seconds) seconds *= kFullToFirst;
   }
-  open_recorder(run_info_of(pass.selection), pass);
+  open_recorder(info_of(plan, pass.selection), pass);
+  pass.recorder->keep_to_pieces(plan.shard.index, plan.shard.count);
   const double seconds = do_pass(pass);
+  if (!plan.shard.is_whole()) return tell_merge(pass, seconds);
   remove_first_pass(plan.out);
   fmt::print(stderr, "all done in {:.0f} s\n", seconds);
   tell_answers(pass);

@@ -15,6 +15,7 @@
 #include "experiments/report/experiment.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/selection/select.hpp"
+#include "experiments/shards/shard.hpp"
 
 namespace clipscope::experiments::commands {
 
@@ -29,6 +30,7 @@ struct RunPlan {
   Selection selection;
   std::filesystem::path out;
   bool resume = false;
+  Shard shard = {};       // does its pieces alone, and leaves tables and page to `merge`
   bool findings = false;  // print what each found, and where its files are
   PageForm page = PageForm::folder;
   std::vector<PlannedExperiment> experiments;

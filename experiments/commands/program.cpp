@@ -79,8 +79,8 @@ int run_program(int argc, char* argv[], const std::string& version) {
        {add_run_command, add_report_command, add_table_command, add_diff_command,
         add_compare_command, add_verify_command, add_clip_command, add_explain_command,
         add_bounds_command, add_camera_command, add_render_command, add_plan_command,
-        add_sweep_command, add_hunt_command, add_promote_command, add_audit_command,
-        add_paper_command, add_list_command}) {
+        add_sweep_command, add_hunt_command, add_merge_command, add_promote_command,
+        add_audit_command, add_paper_command, add_list_command}) {
     add(app, action);
   }
   try {

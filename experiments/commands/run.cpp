@@ -2,9 +2,9 @@
 //
 // clipscope run: the experiments.
 #include <fmt/ranges.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <optional>
 #include <set>
@@ -13,6 +13,7 @@
 #include "experiments/commands/guest_options.hpp"
 #include "experiments/commands/options.hpp"
 #include "experiments/commands/passes.hpp"
+#include "experiments/commands/shard_options.hpp"
 #include "experiments/machine/files.hpp"
 #include "experiments/machine/measuring.hpp"
 #include "experiments/report/experiment.hpp"
@@ -29,12 +30,29 @@ struct RunOptions {
   GuestOptions guests;
   std::vector<std::string> names;
   std::string out = "results";
-  bool resume = false;
+  ShardOptions shard;
   PageForm page = PageForm::folder;
   bool no_first_pass = false;
   bool findings = false;
-  std::optional<int> threads;
 };
+
+// Those that time nothing, and whose pieces no other piece is needed for.
+constexpr std::array<std::string_view, 2> kSpreadExperiments = {"accuracy", "hard_cases"};
+
+// Errors: UsageError if the run can't be spread over processes.
+void check_spread(const RunOptions& options) {
+  if (!options.shard.is_given) return;
+  for (const std::string& name : options.names) {
+    if (std::ranges::find(kSpreadExperiments, name) != kSpreadExperiments.end()) continue;
+    usage_error(
+        "--shard: '{}' given; {} are spread, and nothing that measures times or reads what others found",
+        name, fmt::join(kSpreadExperiments, " and "));
+  }
+  if (options.names.empty()) {
+    usage_error("--shard: name the experiments: {} are spread, and nothing that measures times",
+                fmt::join(kSpreadExperiments, " and "));
+  }
+}
 
 // Those that are named; all if none is. Errors: UsageError.
 std::vector<PlannedExperiment> planned(const std::vector<std::string>& names) {
@@ -83,6 +101,7 @@ std::vector<PlannedExperiment> check(const RunOptions& options) {
 }
 
 int run_experiments(RunOptions options) {
+  check_spread(options);
   load_guests(options.guests, options.selection);
   check_takes_scenes(options.selection);
   drop_repeated(options.selection.scenes);
@@ -91,16 +110,13 @@ int run_experiments(RunOptions options) {
   const std::vector<PlannedExperiment> chosen = check(options);
   // A limit on the size of files is reported as an error of writing instead of ending the program.
   std::signal(SIGXFSZ, SIG_IGN);
-  std::optional<tbb::global_control> limit;
-  if (options.threads) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(*options.threads));
-  }
+  const ThreadLimit limit(options.shard.threads);
   const FolderLock lock(options.out);
   const bool is_all = options.names.empty();
   run_passes({.selection = options.selection,
               .out = options.out,
-              .resume = options.resume,
+              .resume = options.shard.resume,
+              .shard = options.shard.shard,
               // Who names experiments wants to know what each found; the answers are those of all.
               .findings = options.findings || !is_all,
               .page = options.page,
@@ -133,13 +149,8 @@ with --resume. See `clipscope table` and `clipscope diff`.)");
   command.add_flag("--pictures", options.selection.pictures,
                    "hard_cases: also a picture (SVG) of every case that a clipper fails on");
   add_option(command, "--out", options.out, "DIR", "Folder for the results [results]");
-  command.add_flag("--resume", options.resume,
-                   "Go on with the run that was interrupted in --out; takes the same options");
-  command
-      .add_option("--threads", options.threads,
-                  "Threads to use at most; the results do not depend on it [all processors]")
-      ->check(CLI::Range(1, 4096))
-      ->type_name("N");
+  add_shard_options(command, options.shard);
+  add_threads_option(command, options.shard.threads);
   add_single_file_option(command, options.page);
   command.add_flag("--no-first-pass", options.no_first_pass,
                    "Begin with the full pass, without quick answers before it");

@@ -132,9 +132,10 @@ void run(const ExperimentContext& context) {
   const std::vector<std::string> scalars = binary_formats(context.selection().scalars);
   if (scalars.empty()) return;
   judge_all_families(context, scalars);
-  TableOf<SweepRow> lattice = lattice_table("small", context.selection());
+  const SweepPlan plan = lattice_plan("small", context.selection());
+  TableOf<SweepRow> lattice = plan.table();
   context.piece("lattice small", {&lattice},
-                [&](PieceRecord&) { add_lattice("small", context.selection(), lattice); });
+                [&](PieceRecord&) { lattice = sweep(plan, context.selection()); });
   context.emit(lattice);
 }
 

@@ -31,6 +31,7 @@ std::filesystem::path ExperimentContext::out() const { return results_ / recorde
 
 void ExperimentContext::piece(const std::string& name, std::initializer_list<Table*> tables,
                               const std::function<void(PieceRecord&)>& work) const {
+  if (!recorder_->takes_next_piece()) return;
   if (recorder_->restore(name, tables, results_)) return;
   recorder_->record(name, tables, [&](PieceRecord& record) {
     make_folder(out());
@@ -45,7 +46,9 @@ std::string ExperimentContext::in_results(const std::string& file) const {
   return fmt::format("{}/{}", recorder_->experiment(), file);
 }
 
+// Of some pieces there are no whole tables, and nothing that is made of these.
 void ExperimentContext::emit(const Table& table) const {
+  if (recorder_->is_part()) return;
   recorder_->add(table);
   table.write(out());
   if (selection_.json || selection_.tables) clear_progress_line();
@@ -59,6 +62,7 @@ void ExperimentContext::emit(const Table& table) const {
 }
 
 void ExperimentContext::emit(const Plot& plot) const {
+  if (recorder_->is_part()) return;
   write_plot(plot, out());
   recorder_->add(
       StoredFigure{FigureKind::plot, in_results(plot.name + ".svg"), plot.title, plot.caption});
@@ -66,6 +70,7 @@ void ExperimentContext::emit(const Plot& plot) const {
 }
 
 void ExperimentContext::finding(const std::string& sentence) const {
+  if (recorder_->is_part()) return;
   const std::string busy = busy_text(recorder_->store().interruptions(recorder_->experiment()));
   recorder_->set_finding(busy.empty() ? sentence : sentence + " " + busy);
 }

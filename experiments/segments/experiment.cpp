@@ -40,7 +40,7 @@ void record_worst(const Contestant& contestant, const Tally& tally, PieceRecord&
     record.worst_inputs.push_back(worst_input(contestant, replay, measure, error, "clip"));
   };
   add(tally.worst, "position_px", tally.max_px);
-  add(tally.failing, fmt::format("outcome_{}", name_of(tally.failing_outcome)),
+  add(tally.failing, fmt::format("outcome_{}", name_of(tally.failing_outcome())),
       static_cast<double>(tally.failures));
 }
 

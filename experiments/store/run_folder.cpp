@@ -131,25 +131,7 @@ std::string files_read(const Selection& selection) {
 }
 
 void check_resumable(const RunInfo& stored, const RunInfo& now, const fs::path& file) {
-  std::vector<std::string> differences;
-  const auto differ = [&](const std::string& what, const std::string& a, const std::string& b) {
-    const auto shown = [](const std::string& text) { return text.empty() ? "none" : text; };
-    differences.push_back(fmt::format("{}: {} then, {} now", what, shown(a), shown(b)));
-  };
-  const Json now_options = Json::parse(value_of(now, "options"));
-  const Json stored_options = Json::parse(value_of(stored, "options"), nullptr, false);
-  for (const auto& [name, value] : now_options.items()) {
-    const Json before = stored_options.is_object() ? stored_options.value(name, Json()) : Json();
-    if (before != value) differ("--" + name, value_text(before), value_text(value));
-  }
-  for (const char* key : {"version", "commit", "compiler", "flags", "machine", "files"}) {
-    const std::string before = value_of(stored, key), value = value_of(now, key);
-    if (before != value) differ(key, before, value);
-  }
-  if (value_of(stored, "program") != value_of(now, "program") &&
-      value_of(stored, "commit") == value_of(now, "commit")) {
-    differences.push_back("program: built anew since");
-  }
+  const std::vector<std::string> differences = differences_of(stored, now, "then", "now");
   if (differences.empty()) return;
   throw UsageError(fmt::format(
       "--resume: the results in {} are of another run ({}); resume with what it was run with, or run anew without --resume",
@@ -205,6 +187,37 @@ fs::path keep_under_its_date(const fs::path& file) {
 
 }  // namespace
 
+std::vector<std::string> differences_of(const RunInfo& a, const RunInfo& b, std::string_view of_a,
+                                        std::string_view of_b) {
+  std::vector<std::string> differences;
+  const auto compare = [&](const std::string& what, const std::string& x, const std::string& y) {
+    const auto shown = [](const std::string& text) { return text.empty() ? "none" : text; };
+    if (x == y) return;
+    differences.push_back(fmt::format("{}: {} {}, {} {}", what, shown(x), of_a, shown(y), of_b));
+  };
+  const auto options_in = [](const RunInfo& info) {
+    const Json options = Json::parse(value_of(info, "options"), nullptr, false);
+    return options.is_object() ? options : Json::object();
+  };
+  const Json a_options = options_in(a), b_options = options_in(b);
+  for (const auto& [name, value] : b_options.items()) {
+    compare("--" + name, value_text(a_options.value(name, Json())), value_text(value));
+  }
+  for (const auto& [name, value] : a_options.items()) {
+    if (!b_options.contains(name)) compare("--" + name, value_text(value), "");
+  }
+  for (const char* key : {"version", "commit", "compiler", "flags", "files"}) {
+    compare(key, value_of(a, key), value_of(b, key));
+  }
+  const std::string a_machine = value_of(a, "machine"), b_machine = value_of(b, "machine");
+  if (!a_machine.empty() && !b_machine.empty()) compare("machine", a_machine, b_machine);
+  if (value_of(a, "program") != value_of(b, "program") &&
+      value_of(a, "commit") == value_of(b, "commit")) {
+    differences.push_back(fmt::format("program: another build {}", of_b));
+  }
+  return differences;
+}
+
 Selection default_run_selection() {
   Selection selection;
   selection.scalars = {"float", "double", "double_double", "exact"};
@@ -224,6 +237,17 @@ RunInfo run_info_of(const Selection& selection) {
           {"command", run_command(selection, "")},
           {"options", json_text(options_of(selection))},
           {"files", files_read(selection)}};
+}
+
+void set_option(RunInfo& info, const std::string& name, const std::optional<std::string>& value) {
+  const auto held = std::ranges::find(info, "options", &RunInfo::value_type::first);
+  Json options = Json::parse(held->second);
+  if (value) {
+    options[name] = *value;
+  } else {
+    options.erase(name);
+  }
+  held->second = json_text(options);
 }
 
 std::string run_command(const Selection& selection, const std::string& experiment) {
@@ -249,6 +273,11 @@ FolderLock::FolderLock(const fs::path& folder)
 
 FolderLock::~FolderLock() {
   if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void tell_kept(const OpenedStore& opened) {
+  if (opened.kept.empty()) return;
+  fmt::print(stderr, "results of an older run are kept as {}\n", opened.kept.string());
 }
 
 OpenedStore start_store(const fs::path& folder, const RunInfo& info) {

@@ -6,7 +6,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "experiments/selection/select.hpp"
 #include "experiments/store/results_store.hpp"
@@ -34,6 +37,9 @@ struct OpenedStore {
   bool resumed = false;
 };
 
+// Says on standard error where an older store is now, if there was one.
+void tell_kept(const OpenedStore& opened);
+
 // A new store for the run. One that is there already is renamed by the date on which it was
 // started: results-20260301-123456.sqlite.
 // Errors: OutputError.
@@ -44,11 +50,21 @@ OpenedStore start_store(const std::filesystem::path& folder, const RunInfo& info
 // InputError if the store can't be read; OutputError.
 OpenedStore resume_store(const std::filesystem::path& folder, const RunInfo& info);
 
+// What differs between two runs that should be one: every option, program and files, the machine
+// where both name one. Empty if nothing does. One entry: "--seed: 1 then, 2 now", with the words
+// given.
+std::vector<std::string> differences_of(const RunInfo& a, const RunInfo& b, std::string_view of_a,
+                                        std::string_view of_b);
+
 // What `clipscope run` takes where no option says otherwise.
 Selection default_run_selection();
 
 // All that is known when a run starts, its date included.
 RunInfo run_info_of(const Selection& selection);
+
+// Sets an option beside those of the selection, by its name on the command line; takes it out where
+// there is no value.
+void set_option(RunInfo& info, const std::string& name, const std::optional<std::string>& value);
 
 // The command that runs the experiment with these options, quoted for a shell. An empty name: all.
 std::string run_command(const Selection& selection, const std::string& experiment);

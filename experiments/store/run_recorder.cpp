@@ -47,6 +47,8 @@ void RunRecorder::begin(const StoredExperiment& experiment, std::int64_t positio
   experiment_ = experiment.name;
   restored_seconds_ = 0;
   rows_.clear();
+  next_piece_ = 0;
+  position_ = position;
   was_finished_ = false;
   for (const StoredExperiment& e : store_.experiments()) {
     was_finished_ |= e.name == experiment_ && e.finished;
@@ -55,6 +57,11 @@ void RunRecorder::begin(const StoredExperiment& experiment, std::int64_t positio
   write(
       "INSERT INTO experiment(name, position, question, command, state) VALUES(?, ?, ?, ?, 'running') ON CONFLICT(name) DO NOTHING",
       {experiment.name, position, experiment.question, experiment.command});
+}
+
+void RunRecorder::keep_to_pieces(std::size_t index, std::size_t count) {
+  piece_index_ = index;
+  piece_count_ = count;
 }
 
 void RunRecorder::finish(double seconds) {
@@ -115,7 +122,7 @@ void RunRecorder::record(const std::string& piece, std::initializer_list<Table*>
   work(record);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   in_transaction(*database_, [&] {
-    insert(*database_, "cell", {Cell(), experiment_, piece, time.count(), date_now()});
+    insert(*database_, "cell", {number_of_piece(), experiment_, piece, time.count(), date_now()});
     const std::int64_t id = database_->getLastInsertRowid();
     insert_record(record, id);
     for (auto first = before.begin(); const Table* table : tables) {
@@ -126,6 +133,13 @@ void RunRecorder::record(const std::string& piece, std::initializer_list<Table*>
       ++first;
     }
   });
+}
+
+// The same in every part of a run, so that parts can be put together; else the next one.
+Cell RunRecorder::number_of_piece() const {
+  constexpr std::int64_t kMostPieces = 1'000'000;  // of an experiment
+  if (!is_part()) return {};
+  return position_ * kMostPieces + as_count(next_piece_);
 }
 
 void RunRecorder::insert_record(const PieceRecord& record, const Cell& id) {
@@ -235,6 +249,17 @@ void RunRecorder::add(const Table& table) {
       next = of_cell.first + of_cell.count;
     }
     insert_rows(table, {next, table.rows().size() - next}, {});
+  });
+}
+
+void RunRecorder::replace(std::initializer_list<const Table*> tables, bool complete) {
+  for (const Table* table : tables) check_names(*table);
+  in_transaction(*database_, [&] {
+    for (const Table* table : tables) {
+      declare(*table, complete);
+      execute(*database_, "DELETE FROM " + double_quoted(table->name()));
+      insert_rows(*table, {0, table->rows().size()}, {});
+    }
   });
 }
 

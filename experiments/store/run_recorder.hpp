@@ -37,6 +37,13 @@ class RunRecorder {
   // It is done; seconds: since begin.
   void finish(double seconds);
 
+  // From now on the run does every count-th piece of each experiment, from piece `index` on.
+  void keep_to_pieces(std::size_t index, std::size_t count);
+  // Whether it does some pieces alone: then its tables are parts.
+  bool is_part() const { return piece_count_ > 1; }
+  // Asked once for each piece, in their order: whether this run does it.
+  bool takes_next_piece() { return next_piece_++ % piece_count_ == piece_index_; }
+
   // If the experiment has the piece: adds its rows to the tables. A piece whose pictures are gone
   // from the folder is forgotten.
   bool restore(const std::string& piece, std::initializer_list<Table*> tables,
@@ -49,6 +56,9 @@ class RunRecorder {
 
   // The whole table: rows that belong to no piece, title and notes, too.
   void add(const Table& table);
+  // All rows of these tables anew, in one transaction. complete: as StoredTable has it.
+  // Pre-condition: no piece has rows in them.
+  void replace(std::initializer_list<const Table*> tables, bool complete);
   void add(const StoredFigure& figure);
   void set_finding(const std::string& sentence);
 
@@ -63,6 +73,7 @@ class RunRecorder {
   // id: the piece; empty for what belongs to none.
   void write(const std::string& sql, const std::vector<Cell>& values);
   void restore_rows(const std::string& piece, const Cell& id, Table& table);
+  Cell number_of_piece() const;
   void insert_record(const PieceRecord& record, const Cell& id);
   void insert_figure(const StoredFigure& figure, const Cell& id);
   void insert_rows(const Table& table, Rows rows, const Cell& id);
@@ -74,6 +85,8 @@ class RunRecorder {
   ResultsStore store_;
   std::string experiment_;
   bool was_finished_ = false;
+  std::int64_t position_ = 0;
+  std::size_t piece_index_ = 0, piece_count_ = 1, next_piece_ = 0;
   double restored_seconds_ = 0;                    // of pieces, spent before this process
   std::map<std::string, std::vector<Rows>> rows_;  // by table: the rows that pieces have added
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "experiments/catalogue/lattice.hpp"
 #include "experiments/scenes/random.hpp"
@@ -32,32 +33,6 @@ Vertex<S, float, kSceneAttributes> vertex_at(std::size_t i, const std::array<flo
 template <Space S>
 Triangle<S, float, kSceneAttributes> triangle_at(const std::array<std::array<float, 4>, 3>& p) {
   return {vertex_at<S>(0, p[0]), vertex_at<S>(1, p[1]), vertex_at<S>(2, p[2])};
-}
-
-void add_tallies(const Contestants& contestants, const std::vector<Tally>& tallies,
-                 TableOf<SweepRow>& table) {
-  for (std::size_t i = 0; i < contestants.size(); ++i) {
-    const Tally& t = tallies[i];
-    if (t.primitives == 0) continue;  // the method does not take this space
-    table.add({.clipper = std::string(contestants[i]->clipper),
-               .scalar = std::string(contestants[i]->scalar()),
-               .triangles = t.primitives,
-               .failures = t.failures,
-               .outcomes = view_outcomes(t.outcomes),
-               .max_px = t.max_px,
-               .max_ulp = t.max_ulp,
-               .max_attribute = t.max_attribute,
-               .worst = t.worst,
-               .failing = t.failing});
-  }
-}
-
-Contestants float_and_double(const Selection& selection) {
-  std::vector<std::string> scalars;
-  for (const std::string& s : selection.scalars) {
-    if (s == kFormat<float>.name || s == kFormat<double>.name) scalars.push_back(s);
-  }
-  return select_contestants(selection, scalars);
 }
 
 using Corners = std::array<std::array<float, 4>, 3>;
@@ -118,7 +93,14 @@ Corners random_view_corners(Random& random) {
   return corners;
 }
 
-std::size_t stride_of(const Selection& selection) { return selection.quick ? kQuickStride : 1; }
+SweepChunk lattice_chunk(const Lattice& lattice, std::size_t number) {
+  SweepChunk chunk;
+  chunk.volume.depth = lattice.depth();
+  lattice.visit_chunk(number, [&](const LatticeTriangle& t) {
+    chunk.clip.push_back(triangle_at<Space::clip>(t.vertices));
+  });
+  return chunk;
+}
 
 }  // namespace
 
@@ -143,45 +125,72 @@ SweepChunk random_chunk(std::uint64_t seed, std::size_t index, std::size_t count
   return chunk;
 }
 
-TableOf<SweepRow> lattice_table(const std::string& name, const Selection& selection) {
-  const Lattice lattice = named_lattice(name);
-  const std::size_t stride = stride_of(selection);
-  return {"lattice_" + name,
-          fmt::format("Lattice {}: {} triangles in {} classes up to symmetry{}", name,
-                      lattice.triangles(), lattice.classes(),
-                      stride > 1 ? fmt::format(", every {}th chunk of them", stride) : "")};
+SweepPlan lattice_plan(const std::string& name, const Selection& selection) {
+  const auto lattice = std::make_shared<const Lattice>(named_lattice(name));
+  const std::size_t stride = selection.quick ? kQuickStride : 1;
+  return {.name = "lattice_" + name,
+          .title = fmt::format("Lattice {}: {} triangles in {} classes up to symmetry{}", name,
+                               lattice->triangles(), lattice->classes(),
+                               stride > 1 ? fmt::format(", every {}th chunk of them", stride) : ""),
+          .source = {(lattice->chunks() + stride - 1) / stride,
+                     [=](std::size_t i) { return lattice_chunk(*lattice, i * stride); }}};
 }
 
-void add_lattice(const std::string& name, const Selection& selection, TableOf<SweepRow>& table) {
-  const Lattice lattice = named_lattice(name);
-  const std::size_t stride = stride_of(selection);
-  const Contestants contestants = float_and_double(selection);
-  const std::size_t chunks = (lattice.chunks() + stride - 1) / stride;
-  Progress progress(fmt::format("lattice {}", name), chunks);
-  const auto make_chunk = [&](std::size_t i) {
-    SweepChunk chunk;
-    chunk.volume.depth = lattice.depth();
-    lattice.visit_chunk(i * stride, [&](const LatticeTriangle& t) {
-      chunk.clip.push_back(triangle_at<Space::clip>(t.vertices));
-    });
-    return chunk;
-  };
-  add_tallies(contestants, sweep(chunks, make_chunk, contestants, progress), table);
-}
-
-TableOf<SweepRow> sweep_random(std::uint64_t triangles, const Selection& selection) {
-  const Contestants contestants = float_and_double(selection);
-  const auto chunks = static_cast<std::size_t>((triangles + kRandomChunk - 1) / kRandomChunk);
-  Progress progress("sweep", chunks);
-  const auto make_chunk = [&](std::size_t i) {
+SweepPlan random_plan(std::uint64_t triangles, const Selection& selection) {
+  const auto chunk = [triangles, seed = selection.seed](std::size_t i) {
     const std::uint64_t left = triangles - i * kRandomChunk;
-    return random_chunk(selection.seed, i, std::min<std::uint64_t>(kRandomChunk, left));
+    return random_chunk(seed, i, std::min<std::uint64_t>(kRandomChunk, left));
   };
-  TableOf<SweepRow> table("sweep",
-                          fmt::format("{} random triangles, seed {}", triangles, selection.seed));
-  add_tallies(contestants, sweep(chunks, make_chunk, contestants, progress), table);
-  table.add_note("A search: the largest errors are lower bounds of the worst.");
+  return {
+      .name = "sweep",
+      .title = fmt::format("{} random triangles, seed {}", triangles, selection.seed),
+      .notes = {"A search: the largest errors are lower bounds of the worst."},
+      .source = {static_cast<std::size_t>((triangles + kRandomChunk - 1) / kRandomChunk), chunk}};
+}
+
+TableOf<SweepRow> SweepPlan::table() const {
+  TableOf<SweepRow> table(name, title);
+  for (const std::string& note : notes) table.add_note(note);
   return table;
+}
+
+Contestants swept_contestants(const Selection& selection) {
+  std::vector<std::string> scalars;
+  for (const std::string& s : selection.scalars) {
+    if (s == kFormat<float>.name || s == kFormat<double>.name) scalars.push_back(s);
+  }
+  return select_contestants(selection, scalars);
+}
+
+std::vector<SweepRow> empty_rows(const Contestants& contestants) {
+  std::vector<SweepRow> rows;
+  for (const Contestant* c : contestants) {
+    rows.push_back({std::string(c->clipper), std::string(c->scalar()), {}});
+  }
+  return rows;
+}
+
+void sweep(const SweepPlan& plan, ChunkNumbers chunks, const Contestants& contestants,
+           Progress& progress, std::vector<SweepRow>& rows) {
+  const std::vector<Tally> tallies = sweep(plan.source, chunks, contestants, progress);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].tally += tallies[i];
+}
+
+TableOf<SweepRow> whole_table(const SweepPlan& plan, const std::vector<SweepRow>& rows) {
+  TableOf<SweepRow> table = plan.table();
+  for (const SweepRow& row : rows) {
+    if (!is_empty(row)) table.add(row);
+  }
+  return table;
+}
+
+TableOf<SweepRow> sweep(const SweepPlan& plan, const Selection& selection) {
+  const Contestants contestants = swept_contestants(selection);
+  Progress progress(plan.name, plan.source.chunks);
+  std::vector<SweepRow> rows = empty_rows(contestants);
+  const std::vector<Tally> tallies = sweep(plan.source, contestants, progress);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].tally = tallies[i];
+  return whole_table(plan, rows);
 }
 
 }  // namespace clipscope::experiments

@@ -52,7 +52,7 @@ void judge_pattern(const Selection& selection, const Pattern& pattern, TableOf<P
   const auto make_chunk = [&](std::size_t i) {
     return pattern_chunk(pattern, triangles, kChunks * selection.seed + i);
   };
-  const std::vector<Tally> tallies = sweep(kChunks, make_chunk, contestants, progress);
+  const std::vector<Tally> tallies = sweep({kChunks, make_chunk}, contestants, progress);
   for (std::size_t i = 0; i < contestants.size(); ++i) {
     const Tally& tally = tallies[i];
     table.add({name, std::string(contestants[i]->clipper), std::string(contestants[i]->scalar()),
@@ -60,7 +60,7 @@ void judge_pattern(const Selection& selection, const Pattern& pattern, TableOf<P
     if (tally.failing.empty()) continue;
     record.worst_inputs.push_back(
         worst_input(*contestants[i], tally.failing,
-                    fmt::format("{}, w {}", name_of(tally.failing_outcome), name), tally.max_px));
+                    fmt::format("{}, w {}", name_of(tally.failing_outcome()), name), tally.max_px));
   }
 }
 

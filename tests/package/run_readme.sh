@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Runs the `sh` blocks of README.md, of the command reference and of the walk through plug-ins, each
-# document in a folder that has nothing but experiments/ and spaces/, with the program given on the
-# PATH. A line that starts with ./ is a script of the source tree: it must exist, be executable and
-# parse, and is not run here. A line that ends in "# exit code N" must end with that. What a `text`
-# block shows right after a block must be among what that block printed, line by line; "..." is any
-# text. Commands with rustc are left out where there is none.
+# Runs the `sh` blocks of README.md, of the command reference, of the walk through plug-ins and of
+# experiments/cluster/, each document in a folder that has nothing but experiments/ and spaces/, with
+# the program given on the PATH. A line that starts with ./ is a script of the source tree: it must
+# exist, be executable and parse, and is not run here. A line that ends in "# exit code N" must end
+# with that. What a `text` block shows right after a block must be among what that block printed,
+# line by line; "..." is any text. Commands with rustc are left out where there is none.
 # shellcheck source=tests/package/common.sh
 . "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
@@ -71,3 +71,4 @@ run_document() {
 run_document README.md 3
 run_document experiments/commands/README.md 20
 run_document experiments/plugins/README.md 6
+run_document experiments/cluster/README.md 1

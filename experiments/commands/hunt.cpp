@@ -219,9 +219,10 @@ void add_hunt_command(CLI::App& app, Action& action) {
 bound. Printed are the worst, the command that shows it, and what is left of it when it is shrunk:
 the measure stays at least half of the worst. The same seed and number of evaluations find the
 same, whatever the number of threads.
-Measures: px and ulp, position errors where the vertices are the right ones; attribute, relative
-to the largest one; containment, how far something reaches out of the volume, in NDC; crack, in px
-between two triangles that share an edge; crash, no answer or one with NaN or infinity.
+Measures: px, ulp and depth, position errors where the vertices are the right ones, of depth in ulp
+of 1; attribute, relative to the largest one; containment, how far something reaches out of the
+volume, in NDC; crack, in px between two triangles that share an edge; crash, no answer or one with
+NaN or infinity.
 Examples:
   clipscope hunt --clipper homogeneous/sutherland_hodgman --measure px --seconds 60
   clipscope hunt --plugin ./libmine.so --measure crash,containment --corpus-out mine.cases)");
@@ -250,7 +251,7 @@ Examples:
                    "Begin with random triangles alone, not with the hard cases, too");
   command.add_flag(
       "--in-domain", options.hunt.in_domain,
-      "px, ulp and attribute: only triangles that the bounds of `verify` speak of, whose numbers stay in the format and whose visible part keeps away from the eye");
+      "px, ulp, depth and attribute: only triangles that the bounds of `verify` speak of, whose numbers stay in the format and whose visible part keeps away from the eye");
   add_option(command, "--corpus-out", options.corpus_out, "FILE",
              "Add the shrunk cases to this file of cases");
   add_option(command, "--out", options.out, "DIR",

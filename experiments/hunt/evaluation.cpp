@@ -97,13 +97,12 @@ std::vector<double> Evaluator::cheap_values(const Setting& setting, const Litter
       values[i] = crack_between({a, wide_a}, {b, wide_b}, kThird);
     } else {
       const PolygonView polygon = litter.answers[i];
-      const Comparison comparison = sketched_comparison(polygon, Sketch(polygon), Sketch(wide[i]));
-      outcomes[i] = comparison.outcome;
-      values[i] =
-          hunt::value_of(measure_, comparison,
-                         measure_ == Measure::attribute
-                             ? largest_attribute(case_of(setting, litter.prey[i], attributes_))
-                             : 1);
+      Errors errors = sketched_errors(polygon, Sketch(polygon), Sketch(wide[i]));
+      outcomes[i] = errors.comparison.outcome;
+      if (measure_ == Measure::attribute) {
+        errors.largest_attribute = largest_attribute(case_of(setting, litter.prey[i], attributes_));
+      }
+      values[i] = hunt::value_of(measure_, errors);
     }
   }
   return values;
@@ -142,10 +141,8 @@ double Evaluator::exact_value(const Setting& setting, const Litter& litter, std:
   }
   const HardCase c = case_of(setting, prey, attributes_);
   if (is_outside(c)) return 0;
-  return hunt::value_of(
-      measure_,
-      compare(litter.answers[i], truth_polygon(truth_of(c), c.vertices, c.attribute_count)),
-      largest_attribute(c));
+  const TruthPolygon truth = truth_polygon(truth_of(c), c.vertices, c.attribute_count);
+  return hunt::value_of(measure_, errors_of(c, litter.answers[i], truth));
 }
 
 // What is next to the exact polygon number by number does not fail, though vertices that are apart

@@ -22,21 +22,33 @@ struct Evaluated {
   std::vector<std::pair<Outcome, Prey>> failing = {};  // exact, at most one of each outcome
 };
 
-class Evaluator {
+// Who says of a litter what is worst: an evaluator, or whoever else a hunt is made for.
+class Rater {
+ public:
+  virtual ~Rater() = default;
+  // How many of a prey's attributes count.
+  virtual int attributes() const = 0;
+  // floor: only larger values count. known: outcomes of which there is an example already.
+  // Asked for several litters at once.
+  virtual Evaluated evaluate(const Setting& setting, std::span<const Prey> litter, double floor,
+                             const Outcomes& known) const = 0;
+  // The exact values of the measure.
+  virtual std::vector<double> exact_values(const Setting& setting,
+                                           std::span<const Prey> litter) const = 0;
+};
+
+class Evaluator : public Rater {
  public:
   // The contestant outlives it. in_domain: only triangles that the bounds of `covers` speak of have
   // a value (judge/questions.hpp); not of pairs.
   Evaluator(const Contestant& contestant, Measure measure, bool in_domain = false);
 
   // How many of a prey's attributes the contestant gets.
-  int attributes() const { return attributes_; }
-
-  // floor: only larger values count. known: outcomes of which there is an example already.
+  int attributes() const override { return attributes_; }
   Evaluated evaluate(const Setting& setting, std::span<const Prey> litter, double floor,
-                     const Outcomes& known) const;
-
-  // The exact values of the measure.
-  std::vector<double> exact_values(const Setting& setting, std::span<const Prey> litter) const;
+                     const Outcomes& known) const override;
+  std::vector<double> exact_values(const Setting& setting,
+                                   std::span<const Prey> litter) const override;
 
  private:
   struct Litter;

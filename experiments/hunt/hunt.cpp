@@ -45,28 +45,16 @@ bool is_usable(const HardCase& c) {
          c.attribute_count == Prey::kAttributes && is_finite(c);
 }
 
-Prey prey_of(const HardCase& c) {
-  Prey prey;
-  for (std::size_t i = 0; i < Prey::kVertices; ++i) {
-    // The neighbour's third vertex begins as the triangle's own.
-    const reference::InputVertex& v = c.vertices[std::min<std::size_t>(i, 2)];
-    for (std::size_t k = 0; k < 4; ++k) prey.position[i][k] = static_cast<float>(v.position[k]);
-    for (std::size_t k = 0; k < Prey::kAttributes; ++k) {
-      prey.attributes[i][k] = static_cast<float>(v.attributes[k]);
-    }
-  }
-  return prey;
-}
-
 class Hunt {
  public:
-  Hunt(const Contestant& contestant, const HuntOptions& options)
+  Hunt(const Contestant& contestant, const HuntOptions& options, const Rater& rater)
       : contestant_(contestant),
         options_(options),
-        evaluator_(contestant, options.measure, options.in_domain),
+        rater_(rater),
         islands_(kIslands),
         random_(options.seed) {
     if (options.catalogue) survey_grounds();
+    if (options.begin_with) take_known(*options.begin_with);
     for (Island& island : islands_) settle(island);
   }
 
@@ -79,8 +67,8 @@ class Hunt {
       const std::size_t size = count * (i + 1) / kIslands - count * i / kIslands;
       Random random(options_.seed * 0x9E3779B97F4A7C15u + first + i + 1);
       const Island& island = islands_[i];
-      evaluated[i] = evaluator_.evaluate(island.setting, litter(island, size, random),
-                                         floor_of(island), known_);
+      evaluated[i] =
+          rater_.evaluate(island.setting, litter(island, size, random), floor_of(island), known_);
     });
     for (std::size_t i = 0; i < kIslands; ++i) take(evaluated[i], islands_[i]);
     for (Island& island : islands_) {
@@ -100,14 +88,21 @@ class Hunt {
   void survey_grounds() {
     for (const HardCase& c : builtin_catalogue()) {
       if (!is_usable(c)) continue;
-      const Setting setting{c.space, frustum_cast<float>(c.frustum), c.volume};
-      const bool is_taken = takes(contestant_, setting, evaluator_.attributes());
+      const Setting setting = setting_of(c);
+      const bool is_taken = takes(contestant_, setting, rater_.attributes());
       if (!is_taken || !limits().allow(setting)) continue;
       auto ground = std::ranges::find(grounds_, setting, &Ground::setting);
       if (ground == grounds_.end()) ground = grounds_.insert(ground, {setting, {}});
       ground->prey.push_back(prey_of(c));
       if (is_of_pairs()) set_attributes(ground->prey.back(), 0);
     }
+  }
+
+  void take_known(const HardCase& c) {
+    Prey prey = prey_of(c);
+    const Setting setting = setting_of(c);
+    prey.value = rater_.exact_values(setting, {&prey, 1}).front();
+    if (prey.value > 0) set_best(setting, prey);
   }
 
   void settle(Island& island) {
@@ -120,7 +115,7 @@ class Hunt {
       island.setting = ground.setting;
       island.natives = ground.prey;
     } else {
-      island.setting = random_setting(contestant_, evaluator_.attributes(), limits(), random_);
+      island.setting = random_setting(contestant_, rater_.attributes(), limits(), random_);
     }
   }
 
@@ -143,7 +138,7 @@ class Hunt {
   std::vector<Prey> litter(const Island& island, std::size_t size, Random& random) const {
     constexpr double kChance = 0.2, kCross = 0.15;
     // Attributes are left alone where they are not what is hunted; in `crack` they are marks.
-    const int changing = options_.measure == Measure::attribute ? evaluator_.attributes()
+    const int changing = options_.measure == Measure::attribute ? rater_.attributes()
                          : is_of_pairs()                        ? 0
                                          : island.setting.volume.clip_distances;
     std::vector<Prey> all;
@@ -177,23 +172,26 @@ class Hunt {
       const auto place = static_cast<std::size_t>(outcome);
       if (known_.test(place)) continue;
       known_.set(place);
-      hunted_.failing[place] = case_of(island.setting, prey, evaluator_.attributes());
+      hunted_.failing[place] = case_of(island.setting, prey, rater_.attributes());
     }
   }
 
   void keep_best(Island& island) {
     for (Island& other : islands_) other.has_the_worst = &other == &island;
-    best_ = {island.setting, island.elite.front()};
-    const auto& [setting, prey] = *best_;
+    set_best(island.setting, island.elite.front());
+  }
+
+  void set_best(const Setting& setting, const Prey& prey) {
+    best_ = {setting, prey};
     Trophy& worst = hunted_.worst.emplace();
     worst.value = prey.value;
-    worst.cases = {case_of(setting, prey, evaluator_.attributes())};
-    if (is_of_pairs()) worst.cases.push_back(neighbour_of(setting, prey, evaluator_.attributes()));
+    worst.cases = {case_of(setting, prey, rater_.attributes())};
+    if (is_of_pairs()) worst.cases.push_back(neighbour_of(setting, prey, rater_.attributes()));
   }
 
   const Contestant& contestant_;
   const HuntOptions& options_;
-  const Evaluator evaluator_;
+  const Rater& rater_;
   std::vector<Ground> grounds_;
   std::vector<Island> islands_;
   Random random_;
@@ -207,8 +205,14 @@ class Hunt {
 
 Hunted hunt(const Contestant& contestant, const HuntOptions& options,
             const std::function<void(const Hunted&)>& after_round) {
+  return hunt(contestant, options, Evaluator(contestant, options.measure, options.in_domain),
+              after_round);
+}
+
+Hunted hunt(const Contestant& contestant, const HuntOptions& options, const Rater& rater,
+            const std::function<void(const Hunted&)>& after_round) {
   const std::size_t round = kIslands * (contestant.is_guest ? kGuestLitter : kLitter);
-  Hunt hunt(contestant, options);
+  Hunt hunt(contestant, options, rater);
   Hunted& hunted = hunt.hunted();
   const auto start = Clock::now();
   const auto is_over = [&] {

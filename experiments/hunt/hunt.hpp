@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "experiments/contestants/contestant.hpp"
+#include "experiments/hunt/evaluation.hpp"
 #include "experiments/hunt/measure.hpp"
 
 namespace clipscope::experiments::hunt {
@@ -35,8 +36,11 @@ struct HuntOptions {
   std::optional<Space> space = {};                // in this alone
   bool plain = false;                             // the closed volume of six planes alone
   // Triangles alone that the bounds of `covers` speak of (judge/questions.hpp): their numbers stay
-  // in the format, and what is visible keeps away from the eye. For px, ulp and attribute.
+  // in the format, and what is visible keeps away from the eye. For px, ulp, depth and attribute.
   bool in_domain = false;
+  // The worst that is known: islands settle where it is, and only what is worse replaces it. Not
+  // for crack.
+  std::optional<HardCase> begin_with = {};
 };
 
 struct Trophy {
@@ -55,6 +59,10 @@ struct Hunted {
 // Pre-condition: the contestant takes triangles under the full contract. after_round is told how
 // far the hunt is.
 Hunted hunt(const Contestant& contestant, const HuntOptions& options,
+            const std::function<void(const Hunted&)>& after_round = {});
+// The same where another than the contestant's answers is rated; the measure says which numbers of
+// the prey change, and no more.
+Hunted hunt(const Contestant& contestant, const HuntOptions& options, const Rater& rater,
             const std::function<void(const Hunted&)>& after_round = {});
 
 }  // namespace clipscope::experiments::hunt

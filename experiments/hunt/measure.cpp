@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/judge/depth_error.hpp"
+
 namespace clipscope::experiments::hunt {
 
 double largest_attribute(const HardCase& hard_case) {
@@ -16,12 +18,21 @@ double largest_attribute(const HardCase& hard_case) {
   return largest == 0 ? 1 : largest;
 }
 
-double value_of(Measure measure, const Comparison& comparison, double largest_attribute) {
+Errors errors_of(const HardCase& hard_case, const PolygonView& polygon, const TruthPolygon& truth) {
+  Errors errors{compare(polygon, truth), 0, largest_attribute(hard_case)};
+  if (errors.comparison.outcome > Outcome::visible) return errors;
+  errors.depth_ulp = largest_depth_error(polygon, truth) / polygon.format().ulp_at(1);
+  return errors;
+}
+
+double value_of(Measure measure, const Errors& errors) {
+  const Comparison& comparison = errors.comparison;
   if (comparison.outcome > Outcome::visible) return 0;
   switch (measure) {
     case Measure::px: return comparison.position_px;
     case Measure::ulp: return comparison.position_ulp;
-    case Measure::attribute: return comparison.attribute / largest_attribute;
+    case Measure::depth: return errors.depth_ulp;
+    case Measure::attribute: return comparison.attribute / errors.largest_attribute;
     default: return 0;
   }
 }

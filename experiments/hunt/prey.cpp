@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/hunt/prey.hpp"
 
+#include <algorithm>
+
 namespace clipscope::experiments::hunt {
 namespace {
 
@@ -31,6 +33,22 @@ void set_attributes(Prey& prey, int first) {
       prey.attributes[v][static_cast<std::size_t>(k)] = is_one ? 1.0f : 0.0f;
     }
   }
+}
+
+Setting setting_of(const HardCase& c) {
+  return {c.space, frustum_cast<float>(c.frustum), c.volume};
+}
+
+Prey prey_of(const HardCase& c) {
+  Prey prey;
+  for (std::size_t i = 0; i < Prey::kVertices; ++i) {
+    const reference::InputVertex& v = c.vertices[std::min<std::size_t>(i, 2)];
+    for (std::size_t k = 0; k < 4; ++k) prey.position[i][k] = static_cast<float>(v.position[k]);
+    for (std::size_t k = 0; k < Prey::kAttributes; ++k) {
+      prey.attributes[i][k] = static_cast<float>(v.attributes[k]);
+    }
+  }
+  return prey;
 }
 
 HardCase case_of(const Setting& setting, const Prey& prey, int attributes) {

@@ -40,6 +40,11 @@ struct Prey {
 // none (hard_case.hpp), behind `first` that are 1: clip distances, which cut nothing then.
 void set_attributes(Prey& prey, int first);
 
+// What a case of a triangle is clipped against, and it as prey, whose neighbour's third vertex is
+// its own. Pre-condition: floats in front of a frustum or in clip space.
+Setting setting_of(const HardCase& hard_case);
+Prey prey_of(const HardCase& hard_case);
+
 // The triangle of a prey as a case, with `attributes` of its attributes, those first.
 HardCase case_of(const Setting& setting, const Prey& prey, int attributes);
 

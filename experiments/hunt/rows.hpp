@@ -31,7 +31,7 @@ struct HuntRow {
   static constexpr std::string_view kName = "hunt";
   static constexpr std::string_view kTitle = "The worst that was found";
   static constexpr std::array<std::string_view, 1> kNotes = {
-      "A search: every figure is a lower bound of the worst. Units of the measures: px on a screen of 3840 x 2160; ulp of the scalar at the exact value; attribute relative to the largest of the triangle; containment in NDC; crack in px; crash is 1 where there is no answer."};
+      "A search: every figure is a lower bound of the worst. Units of the measures: px on a screen of 3840 x 2160; ulp of the scalar at the exact value, depth in ulp at 1; attribute relative to the largest of the triangle; containment in NDC; crack in px; crash is 1 where there is no answer."};
   static constexpr auto columns() {
     using R = HuntRow;
     return std::tuple(

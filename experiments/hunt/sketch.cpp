@@ -91,12 +91,12 @@ void Sketch::drop_repeats() {
   numbers_.resize(kept * stride_);
 }
 
-Comparison sketched_comparison(const PolygonView& polygon, const Sketch& answer,
-                               const Sketch& wide) {
-  Comparison r;
+Errors sketched_errors(const PolygonView& polygon, const Sketch& answer, const Sketch& wide) {
+  Errors errors;
+  Comparison& r = errors.comparison;
   r.outcome = seeming_outcome(polygon, answer, wide);
   r.visible = wide.size() >= 3 || answer.size() >= 3 || polygon.failure() != nullptr;
-  if (r.outcome != Outcome::exact || wide.size() < 3) return r;
+  if (r.outcome != Outcome::exact || wide.size() < 3) return errors;
   const Format& format = polygon.format();
   const std::size_t n = wide.size(), shift = best_shift(wide, answer);
   double px = 0;
@@ -106,12 +106,13 @@ Comparison sketched_comparison(const PolygonView& polygon, const Sketch& answer,
     for (std::size_t c = 0; c < 4; ++c) {
       r.position_ulp = std::max(r.position_ulp, error_in_ulp(format, a[c], b[c]));
     }
+    errors.depth_ulp = std::max(errors.depth_ulp, std::abs(a[2] - b[2]) / format.ulp_at(1));
     for (std::size_t k = 4; k < std::min(answer.stride(), wide.stride()); ++k) {
       r.attribute = std::max(r.attribute, std::abs(a[k] - b[k]));
     }
   }
   r.position_px = std::sqrt(px);
-  return r;
+  return errors;
 }
 
 double crack_between(const Side& triangle, const Side& neighbour, std::size_t third) {

@@ -34,9 +34,9 @@ class Sketch {
 };
 
 // What seems to have become of a triangle: the errors where it has as many vertices, and a category
-// that is exact, vertex_count, missing, extra, not_finite or one of those without an answer.
-Comparison sketched_comparison(const PolygonView& polygon, const Sketch& answer,
-                               const Sketch& wide);
+// that is exact, vertex_count, missing, extra, not_finite or one of those without an answer. Of the
+// attributes none is known to be the largest.
+Errors sketched_errors(const PolygonView& polygon, const Sketch& answer, const Sketch& wide);
 
 // The measure `crack` of a triangle and its neighbour, whose edge goes from the vertices 0 and 1 to
 // 1 and 0. Each comes with the answer in a wider scalar or the exact one, which says by the

@@ -13,6 +13,7 @@
 #include "experiments/selection/replay_text.hpp"
 #include "experiments/shrink/case_groups.hpp"
 #include "experiments/shrink/shrink.hpp"
+#include "experiments/survey/verdicts.hpp"
 
 namespace clipscope::experiments::hunt {
 namespace {
@@ -29,10 +30,6 @@ HardCase carrier_of(const std::vector<HardCase>& pair) {
   carrier.vertices.push_back(pair.back().vertices.back());
   carrier.attribute_count = 0;
   return carrier;
-}
-
-Setting setting_of(const HardCase& c) {
-  return {c.space, frustum_cast<float>(c.frustum), c.volume};
 }
 
 Prey prey_of_carrier(const HardCase& carrier) {
@@ -74,10 +71,11 @@ Failing failing_by_crack(const Contestant& contestant, double worst) {
 Failing failing_by_measure(const Contestant& contestant, Measure measure, double worst) {
   return failing_by(contestant, [measure, worst](const HardCase& c, const PolygonView& polygon,
                                                  const Comparison& comparison) {
-    const double value = measure == Measure::containment
-                             ? overshoot(c.volume, polygon)
-                             : value_of(measure, comparison, largest_attribute(c));
-    return excess_over(worst, value);
+    Errors errors{comparison, 0, largest_attribute(c)};
+    // The comparison does not have it, and costs less than the exact answer.
+    if (measure == Measure::depth) errors = errors_of(c, polygon, truth_polygon(c));
+    return excess_over(worst, measure == Measure::containment ? overshoot(c.volume, polygon)
+                                                              : value_of(measure, errors));
   });
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "experiments/judge/depth_error.hpp"
 #include "experiments/judge/match.hpp"
 
 namespace clipscope::experiments {
@@ -77,6 +78,11 @@ bool is_flipped(const Points& truth, const Points& polygon) {
   const double a = signed_area(truth);
   const double b = signed_area(polygon);
   return std::min(std::abs(a), std::abs(b)) > kSmallArea && (a < 0) != (b < 0);
+}
+
+// A segment keeps its order.
+std::size_t rotation_between(const Points& truth, const Points& polygon) {
+  return polygon.size() == 2 ? 0 : best_rotation(truth, polygon);
 }
 
 Outcome category(const Comparison& errors) {
@@ -192,13 +198,28 @@ Comparison compare(const PolygonView& polygon, const TruthPolygon& truth) {
   const Points found = screen_points(vertices);
   if (is_flipped(expected, found)) return with(Outcome::flipped);
   if (expected.size() != found.size()) return with(Outcome::vertex_count);
-  // A segment keeps its order.
-  const std::size_t rotation = found.size() == 2 ? 0 : best_rotation(expected, found);
+  const std::size_t rotation = rotation_between(expected, found);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     add_errors(polygon.format(), vertices[(i + rotation) % vertices.size()],
                truth.exact.vertices[i], truth.approximation[i], result);
   }
   return with(category(result));
+}
+
+double largest_depth_error(const PolygonView& polygon, const TruthPolygon& truth) {
+  constexpr std::size_t kDepth = 2;
+  const auto vertices = distinct_vertices(polygon);
+  if (vertices.size() != truth.exact.vertices.size()) return 0;
+  const std::size_t rotation =
+      rotation_between(screen_points(truth.approximation), screen_points(vertices));
+  double largest = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Number z = vertices[(i + rotation) % vertices.size()][kDepth];
+    largest =
+        std::max(largest, std::abs(coordinate_error(polygon.format(), z, truth.exact.vertices[i].z,
+                                                    truth.approximation[i][kDepth])));
+  }
+  return largest;
 }
 
 std::vector<Comparison> compare(const Answers& answers, std::span<const TruthPolygon> truths) {

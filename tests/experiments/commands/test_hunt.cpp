@@ -94,7 +94,7 @@ TEST_CASE("cli: hunt names what is wrong with its options") {
   CHECK(contains(nobody.err, "--clipper"));
   const Result measure = folder.run("hunt --clipper cvv/naive --measure size");
   CHECK(measure.code == 2);
-  CHECK(contains(measure.err, "px, ulp, attribute, containment, crack, crash"));
+  CHECK(contains(measure.err, "px, ulp, depth, attribute, containment, crack, crash"));
   CHECK(folder.run("hunt --clipper cvv/naive --seconds 1 --evaluations 5").code == 2);
   CHECK(folder.run("promote nowhere --corpus-out x.cases").code == 3);
 }

@@ -30,8 +30,8 @@ bool is_descending(const std::vector<Prey>& prey) {
 TEST_CASE("evaluation: the values of what is worst are exact, the largest first, above the floor") {
   const Contestant& contestant = find_contestant("homogeneous/sutherland_hodgman", "float");
   const Setting setting;
-  for (const Measure measure :
-       {Measure::px, Measure::ulp, Measure::attribute, Measure::containment, Measure::crack}) {
+  for (const Measure measure : {Measure::px, Measure::ulp, Measure::depth, Measure::attribute,
+                                Measure::containment, Measure::crack}) {
     CAPTURE(name_of(measure));
     const Evaluator evaluator(contestant, measure);
     const std::vector<Prey> litter = litter_of(setting, 2000);

@@ -39,8 +39,8 @@ Hunted in_threads(std::size_t threads, const HuntOptions& options) {
 }  // namespace
 
 TEST_CASE("hunt: the same seed and count of evaluations find the same, whatever the threads") {
-  const Measure measure =
-      GENERATE(Measure::px, Measure::ulp, Measure::attribute, Measure::containment, Measure::crack);
+  const Measure measure = GENERATE(Measure::px, Measure::ulp, Measure::depth, Measure::attribute,
+                                   Measure::containment, Measure::crack);
   const HuntOptions options{.measure = measure, .seed = 7, .evaluations = 20'000};
   const Hunted one = in_threads(1, options), two = in_threads(2, options);
   CAPTURE(name_of(measure));

@@ -41,7 +41,7 @@ TEST_CASE("sketch: repeated vertices count once, also from the last to the first
 TEST_CASE("sketch: errors are those of the vertices that belong together") {
   const Answers wide = polygon_of({{0, 0, 0, 1}, {0.5, 0, 0, 1}, {0, 0.5, 0, 1}});
   const Answers turned = polygon_of({{0.5, 0, 0, 1}, {0, 0.5, 0, 1}, {0x1p-10, 0, 0, 1}});
-  const Comparison c = sketched_comparison(turned[0], Sketch(turned[0]), Sketch(wide[0]));
+  const Comparison c = sketched_errors(turned[0], Sketch(turned[0]), Sketch(wide[0])).comparison;
   CHECK(c.outcome == Outcome::exact);
   CHECK(c.position_px == 1920 * 0x1p-10);
 }
@@ -51,7 +51,7 @@ TEST_CASE("sketch: what is missing, extra or has other vertices seems so") {
                 square = polygon_of({{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 0, 1}}),
                 nothing = polygon_of({});
   const auto seeming = [](const Answers& answer, const Answers& wide) {
-    return sketched_comparison(answer[0], Sketch(answer[0]), Sketch(wide[0])).outcome;
+    return sketched_errors(answer[0], Sketch(answer[0]), Sketch(wide[0])).comparison.outcome;
   };
   CHECK(seeming(triangle, square) == Outcome::vertex_count);
   CHECK(seeming(nothing, square) == Outcome::missing);
@@ -66,12 +66,14 @@ TEST_CASE("sketch: it agrees with the exact comparison but for the width of the 
   for (int i = 0; i < 400; ++i) {
     const HardCase c = case_of(setting, random_prey(setting, random), Prey::kAttributes);
     const Answers answer = clip_case(chain("float"), c), wide = clip_case(chain("double"), c);
-    const Comparison exact = compare(answer[0], truth_polygon(c));
-    if (!exact.visible || exact.outcome > Outcome::visible) continue;
-    const Comparison cheap = sketched_comparison(answer[0], Sketch(answer[0]), Sketch(wide[0]));
-    if (cheap.outcome != Outcome::exact) continue;
+    const Errors exact = errors_of(c, answer[0], truth_polygon(c));
+    if (!exact.comparison.visible || exact.comparison.outcome > Outcome::visible) continue;
+    const Errors cheap = sketched_errors(answer[0], Sketch(answer[0]), Sketch(wide[0]));
+    if (cheap.comparison.outcome != Outcome::exact) continue;
     ++compared;
-    CHECK(cheap.position_px == Approx(exact.position_px).epsilon(1e-3).margin(1e-6));
+    CHECK(cheap.comparison.position_px ==
+          Approx(exact.comparison.position_px).epsilon(1e-3).margin(1e-6));
+    CHECK(cheap.depth_ulp == Approx(exact.depth_ulp).epsilon(1e-3).margin(1e-6));
   }
   CHECK(compared > 50);
 }

@@ -27,8 +27,8 @@ Prey prey_of_pair(const std::vector<HardCase>& pair) {
 
 TEST_CASE("trophy: what is shrunk keeps half of the worst, with fewer bits") {
   const Contestant& contestant = find_contestant("homogeneous/sutherland_hodgman", "float");
-  for (const Measure measure :
-       {Measure::px, Measure::ulp, Measure::attribute, Measure::containment, Measure::crack}) {
+  for (const Measure measure : {Measure::px, Measure::ulp, Measure::depth, Measure::attribute,
+                                Measure::containment, Measure::crack}) {
     const Hunted hunted = hunt::hunt(contestant, {.measure = measure, .evaluations = 16'000});
     CAPTURE(name_of(measure));
     REQUIRE(hunted.worst);

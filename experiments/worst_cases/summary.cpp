@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/contestants/spoken.hpp"
+#include "experiments/table/prose.hpp"
+#include "experiments/worst_cases/rows.hpp"
+
+namespace clipscope::experiments::worst_cases {
+namespace {
+
+// What is left of double-double's 106 bits behind those of a float.
+constexpr double kDoubleDoubleBits = 106 - 24;
+
+std::optional<double> in_ulp_of_largest(const std::optional<double>& relative,
+                                        std::string_view scalar) {
+  if (!relative) return std::nullopt;
+  const Format& format = scalar == kFormat<float>.name ? kFormat<float> : kFormat<double>;
+  return *relative / format.ulp_at(1);
+}
+
+std::string chain_sentence(const std::vector<WorstRow>& worst) {
+  using R = WorstRow;
+  std::vector<R> rows = rows_where(worst, &R::scalar, "float", &R::inputs, Inputs::in_domain);
+  std::erase_if(rows, [](const R& row) { return !row.px; });
+  if (rows.size() < 2) return "";
+  const auto [best, last] = std::ranges::minmax_element(rows, {}, [](const R& r) { return *r.px; });
+  return fmt::format(
+      "In float, away from the eye, the largest known error on screen is the smallest with {}, {} px, and the largest with {}, {} px.",
+      spoken_clipper(best->clipper), format_number(*best->px), spoken_clipper(last->clipper),
+      format_number(*last->px));
+}
+
+bool reaches_limit(const TieRow& row) {
+  constexpr double kNextTo = 4;
+  return row.one_exponent_ulp && *row.one_exponent_ulp <= kNextTo * row.limit_ulp;
+}
+
+std::string limit_sentence(const std::vector<TieRow>& ties) {
+  const double share = static_cast<double>(std::ranges::count_if(ties, reaches_limit)) /
+                       static_cast<double>(ties.size());
+  return fmt::format(
+      " Where coordinates have one exponent, numbers can come no nearer to a tie than their divisors allow, and {} kinds are known within a factor of four of that.",
+      quantity(share));
+}
+
+std::string digits_sentence(const std::vector<TieRow>& ties) {
+  const auto beyond = [](const auto bits) {
+    return [bits](const TieRow& row) {
+      return std::invoke(bits, row).value_or(0) > kDoubleDoubleBits;
+    };
+  };
+  const bool in_one = std::ranges::any_of(ties, beyond(&TieRow::one_exponent_bits));
+  const bool in_any = std::ranges::any_of(ties, beyond(&TieRow::any_exponents_bits));
+  if (in_one) return " Double-double has too few bits to round these.";
+  return in_any ? " Double-double has bits enough for these, and too few where exponents differ."
+                : " Double-double has bits enough for all that were found.";
+}
+
+std::string rounding_sentence(const std::vector<TieRow>& ties) {
+  return std::ranges::all_of(ties, &TieRow::is_right)
+             ? " The correctly rounded clipper rounds all of them right, exact ties too."
+             : " The correctly rounded clipper rounds some of them WRONG.";
+}
+
+}  // namespace
+
+std::optional<double> TieRow::bits_of(std::optional<double> ulp) {
+  return ulp ? std::optional(-std::log2(*ulp)) : std::nullopt;
+}
+
+std::string spoken_kind(const TieKind& kind) {
+  return fmt::format("{}, {} of {}", kind.space == Space::view ? "view" : "clip",
+                     experiments::name_of(kind.quantity), experiments::name_of(kind.place));
+}
+
+std::vector<WorstRow> worst_rows(const std::vector<ChainRow>& records) {
+  std::vector<WorstRow> rows;
+  for (const ChainRow& r : records) {
+    const bool is_next = rows.empty() || rows.back().clipper != r.clipper ||
+                         rows.back().scalar != r.scalar || rows.back().inputs != r.inputs;
+    if (is_next) rows.push_back({r.clipper, r.scalar, r.inputs, {}, {}, {}, {}});
+    WorstRow& row = rows.back();
+    switch (r.measure) {
+      case hunt::Measure::px: row.px = r.worst; break;
+      case hunt::Measure::ulp: row.ulp = r.worst; break;
+      case hunt::Measure::depth: row.depth_ulp = r.worst; break;
+      default: row.attribute_ulp = in_ulp_of_largest(r.worst, r.scalar); break;
+    }
+  }
+  return rows;
+}
+
+Plot tie_plot(const std::vector<TieRow>& ties) {
+  Plot plot{
+      .name = "worst_cases_ties",
+      .title = "How many bits behind the float decide how it is rounded",
+      .caption =
+          "By chance: random triangles. One exponent: constructed, and close to the limit of what is possible. Any exponents: the nearest to a tie that was found. Exact ties are left out.",
+      .x = {.label = "number"},
+      .y = {.label = "-log2 of the distance to a tie [ulp]"}};
+  plot.categories = distinct(ties, &TieRow::kind);
+  add_bars(plot, "by chance", ties, &TieRow::chance_bits, &TieRow::kind);
+  add_bars(plot, "one exponent", ties, &TieRow::one_exponent_bits, &TieRow::kind);
+  add_bars(plot, "any exponents", ties, &TieRow::any_exponents_bits, &TieRow::kind);
+  return plot;
+}
+
+std::string finding(const std::vector<WorstRow>& worst, const std::vector<TieRow>& ties) {
+  std::string text = chain_sentence(worst);
+  if (!ties.empty()) text += limit_sentence(ties) + digits_sentence(ties) + rounding_sentence(ties);
+  if (text.empty()) return "No clipper was asked for that has records.";
+  return text.starts_with(' ') ? text.substr(1) : text;
+}
+
+}  // namespace clipscope::experiments::worst_cases

@@ -29,7 +29,7 @@ function vertexWords(scene: Scene, vertex: number): string {
 }
 
 // The scene in words, for those who do not see it and for those who want to check what they see.
-export function describe(scene: Scene): string {
+function describe(scene: Scene): string {
   const answers = (['first', 'second', 'exact'] as const).map((layer) => layerName(layer, scene));
   return [...[0, 1, 2].map((i) => vertexWords(scene, i)), `${answers.join('; ')}.`].join(' ');
 }

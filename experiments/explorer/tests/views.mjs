@@ -265,6 +265,34 @@ test('views: any number is drawn without an error', onPage(async (page) => {
   }
 }));
 
+// Volumes of all kinds, triangles in both spaces.
+const kLinks = [
+  '#v1&show=numbers&depth=reversed&frustum=-1,1,-1,1,0.1,inf&a=-3,-1,-10&b=5,-1,2&c=0,2,-8',
+  '#v1&show=numbers&ortho=-2,2,-1.5,1.5,0,6&shear=0.2,-0.1&a=-3,-1,-1&b=2.5,-1,-4&c=0,2,-8',
+  '#v1&show=numbers&space=clip&a=-2,0,0,3&b=4,0,0,-3&c=-2,0.5,0,0',
+];
+
+for (const [number, fragment] of kLinks.entries()) {
+  test(`views: any drag gives finite numbers, volume ${number}`, onPage(async (page) => {
+    let seed = 7 + number;
+    const random = (size) => {
+      seed = (1103515245 * seed + 12345) % 2 ** 31;
+      return seed / 2 ** 31 * size;
+    };
+    const names = fragment.includes('space=clip') ? 'xyzw' : 'xyz';
+    const start = await Promise.all([...'ABC'].map((letter) => numbersOf(page, letter, names)));
+    for (let i = 0; i < 18; ++i) {
+      const space = kSpaces[i % 6], letter = 'ABC'[Math.floor(random(3))];
+      if (!await handle(page, space, letter).isVisible()) continue;
+      const key = [null, 'Shift', 'Alt'][Math.floor(random(3))];
+      await drag(page, space, letter, random(160) - 80, random(160) - 80, { steps: 3, key });
+    }
+    const end = await Promise.all([...'ABC'].map((letter) => numbersOf(page, letter, names)));
+    assert.ok(end.flat().every((value) => Number.isFinite(value)), `${end}`);
+    end.forEach((numbers, i) => assert.notDeepEqual(numbers, start[i]));
+  }, { fragment }));
+}
+
 test('views: every layer can be put out', onPage(async (page) => {
   for (const layer of ['input', 'step', 'first', 'second', 'exact']) {
     const before = await pictureOf(page, 'canonical');

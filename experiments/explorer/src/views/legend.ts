@@ -5,10 +5,10 @@
 import type { Panel } from '../panel';
 import { html } from '../panels/dom';
 import type { Scene } from '../scene';
+import { kLetters } from '../state';
 import { mountHeader } from './header';
 import { isDrawn, kLayerColours, kLayers, layerName, planeName, toggle } from './layers';
 import type { Layer } from './layers';
-import { kLetters } from './plot';
 
 const kQuiet = 900; // milliseconds without a change before a screen reader is told
 

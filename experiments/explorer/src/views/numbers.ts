@@ -8,10 +8,9 @@ import type { Page, Panel } from '../panel';
 import { choice, html } from '../panels/dom';
 import { isInvertible, toClipPosition, toViewPosition } from '../projection';
 import type { Scene } from '../scene';
-import type { State } from '../state';
+import { kLetters, type State } from '../state';
 import { withVertex } from './drag';
 import { numberField, type NumberField } from './number_field';
-import { kLetters } from './plot';
 import { volumeForm } from './volume_form';
 
 const kNames = ['x', 'y', 'z', 'w'] as const;

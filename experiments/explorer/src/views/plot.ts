@@ -6,7 +6,7 @@
 
 import type { Page } from '../panel';
 import type { Scene } from '../scene';
-import type { State } from '../state';
+import { kLetters, type State } from '../state';
 import { dragged, nudged, withVertex, type Held } from './drag';
 import { drawFigure } from './figure';
 import { onLayers } from './layers';
@@ -15,7 +15,6 @@ import { Painter } from './painter';
 import { pointOf, type Space } from './space';
 import { colours, onColours } from './theme';
 
-export const kLetters = ['A', 'B', 'C'] as const;
 const kInset = 12; // of the handles of vertices that are not on the canvas, from its border
 
 const kCanvasHelp = 'Arrow keys turn it, plus and minus zoom, 0 fits it.';

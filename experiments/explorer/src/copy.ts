@@ -8,13 +8,13 @@ import type { Clipper, Depth, Question, Scalar, Vertex } from './engine';
 import { exactPolygon } from './exact';
 import { kDepthNames } from './link';
 import { numberText } from './number_text';
+import { kLetters } from './state';
 import type { State } from './state';
 
 // The text, or why there is none.
 export type Copied = { text: string } | { reason: string };
 
 const kCaseName = 'from_the_explorer';
-const kNames = ['A', 'B', 'C'];
 const kSides = ['left', 'right', 'bottom', 'top'] as const;
 
 interface Numbers {
@@ -104,8 +104,8 @@ function numberOfDouble({ frustum, shear, triangle }: Numbers): string | null {
     ...frustum.map((x, i): [string, number] => [`${[...kPlanes][i]} plane`, x]),
     ...shear.map((x, i): [string, number] => [`shear in ${'xy'[i]}`, x]),
     ...triangle.flatMap((v, i) => [
-      ...v.position.map((x, k): [string, number] => [`${'xyzw'[k]} of ${kNames[i]}`, x]),
-      ...v.attributes.map((x, k): [string, number] => [`attribute ${k} of ${kNames[i]}`, x])]),
+      ...v.position.map((x, k): [string, number] => [`${'xyzw'[k]} of ${kLetters[i]}`, x]),
+      ...v.attributes.map((x, k): [string, number] => [`attribute ${k} of ${kLetters[i]}`, x])]),
   ];
   const wide = named.find(([, x]) => Number.isFinite(x) && Math.fround(x) !== x);
   return wide === undefined ? null : `The ${wide[0]} is ${numberText(wide[1])}`;

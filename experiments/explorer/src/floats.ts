@@ -19,9 +19,11 @@ export function toStep(x: number, step: number): number {
   return Number(`${count * Number(mantissa)}e${exponent}`) + 0; // + 0: no -0
 }
 
-// For reading, not for calculating: four significant digits.
-export function short(x: number): string {
-  return String(Number(x.toPrecision(4))).replace('-', '\u2212');
+// For reading, not for calculating: so many significant digits, without zeros at the end.
+export function short(x: number, digits = 4): string {
+  if (!Number.isFinite(x)) return Number.isNaN(x) ? 'NaN' : x < 0 ? '\u2212\u221e' : '\u221e';
+  if (Object.is(x, -0)) return '\u22120';
+  return String(Number(x.toPrecision(digits))).replaceAll('-', '\u2212');
 }
 
 // The shortest decimal that the scalar rounds to the same number.

@@ -6,6 +6,9 @@
 import { kPlanes } from './engine';
 import type { Question, Scalar, Volume } from './engine';
 
+// The names of the triangle's vertices.
+export const kLetters = ['A', 'B', 'C'] as const;
+
 export interface State extends Question {
   scalar: Scalar;
   clippers: [string, string]; // by name: the two that are laid over each other

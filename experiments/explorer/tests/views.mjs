@@ -224,6 +224,24 @@ test('views: in clip space all four numbers are free', onPage(async (page) => {
   await page.getByText(/are of no point in this view space/).waitFor();
 }));
 
+test('views: in clip space a drag in view space keeps what z has of its own', onPage(async (page) => {
+  await page.getByText('clip space', { exact: true }).click();
+  await frames(page);
+  const own = async () => {
+    const [x, y, z, w] = await numbersOf(page, 'B', 'xyzw');
+    return z - toClip([x, y, -w])[2];
+  };
+  await write(page, 'z', 'B', '1');
+  const before = await own();
+  assert.ok(Math.abs(before) > 1);
+  const pointer = await drag(page, 'view', 'B', -25, -30);
+  await assertUnder(page, 'view', 'B', pointer);
+  assert.ok(Math.abs(await own() - before) < 0.1, `${before} became ${await own()}`); // 2 pixels
+  const [x, y, z, w] = await numbersOf(page, 'B', 'xyzw');
+  assertClose(await saidOf(page, 'view', 'B'), [x, y, -w]);
+  assertClose(await saidOf(page, 'canonical', 'B'), divided([x, y, z, w]));
+}));
+
 test('views: keys move a vertex by steps and by ulps', onPage(async (page) => {
   const key = async (space, letter, name) => {
     await handle(page, space, letter).focus();

@@ -9,8 +9,9 @@ import type { Frustum } from '../engine';
 import type { Panel } from '../panel';
 import { isInvertible } from '../projection';
 import type { Scene } from '../scene';
+import { kLetters } from '../state';
 import { html, svg, Table, tableRow } from './dom';
-import { kVertexNames, short } from './text';
+import { short } from './text';
 
 // In the order in which they are drawn: the wide one is behind.
 const kDrawn: readonly Buffer[] = ['fixed24', 'gl', 'zero_to_one', 'reversed'];
@@ -108,7 +109,7 @@ function decades(values: readonly number[]): [number, number] {
 
 function vertexMarks(scene: Scene): Mark[] {
   return (scene.view ?? []).map(({ position }, i) =>
-    ({ name: kVertexNames[i]!, distance: -position[2] }));
+    ({ name: kLetters[i]!, distance: -position[2] }));
 }
 
 function vertexRows(f: Frustum, vertices: readonly Mark[]) {

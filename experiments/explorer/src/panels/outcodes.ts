@@ -8,10 +8,10 @@ import { codesOf } from '../outcodes';
 import type { Codes } from '../outcodes';
 import type { Panel } from '../panel';
 import type { Scene } from '../scene';
-import { planesThatCut } from '../state';
+import { kLetters, planesThatCut } from '../state';
 import { html, spoken, Table, tableRow } from './dom';
 import type { Cell } from './dom';
-import { kVertexNames, planeForm, planeName, planeWords, short } from './text';
+import { planeForm, planeName, planeWords, short } from './text';
 
 const has = (code: number, plane: number) => ((code >> plane) & 1) === 1;
 
@@ -68,7 +68,7 @@ function mount(host: HTMLElement) {
                                                 bits(code)];
     table.setRows([
       ...scene.distances.map((d, i) =>
-        tableRow([kVertexNames[i]!, ...all.map((p) => distanceCell(d, p)), bits(codes.each[i]!)])),
+        tableRow([kLetters[i]!, ...all.map((p) => distanceCell(d, p)), bits(codes.each[i]!)])),
       tableRow(['any', ...setNames(codes.any)]), tableRow(['all', ...setNames(codes.all)]),
     ]);
     text.textContent = verdict(codes, scene, planes);

@@ -4,13 +4,10 @@
 
 import { kPlanes } from '../engine';
 import type { Depth } from '../engine';
+import { short as toDigits } from '../floats';
 
-// Six significant digits, without zeros at the end.
-export function short(x: number, digits = 6): string {
-  if (!Number.isFinite(x)) return Number.isNaN(x) ? 'NaN' : x < 0 ? '−∞' : '∞';
-  if (Object.is(x, -0)) return '−0';
-  return String(Number(x.toPrecision(digits))).replaceAll('-', '−');
-}
+// As tables have it: numbers that differ a little shall differ there.
+export const short = (x: number, digits = 6) => toDigits(x, digits);
 
 export function counted(count: number, one: string, many: string): string {
   return `${count} ${count === 1 ? one : many}`;
@@ -21,8 +18,6 @@ export function listed(words: readonly string[]): string {
   if (words.length < 2) return words[0] ?? '';
   return `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`;
 }
-
-export const kVertexNames = ['A', 'B', 'C'] as const;
 
 export function planeName(plane: number): string {
   return kPlanes[plane] ?? `distance ${plane - kPlanes.length}`;

@@ -5,10 +5,10 @@
 import type { Panel } from '../panel';
 import { html } from '../panels/dom';
 import type { Scene } from '../scene';
+import { kLetters } from '../state';
 import { mountHeader } from './header';
 import { isDrawn, kLayerColours, kLayers, layerName, planeName, toggle } from './layers';
 import type { Layer } from './layers';
-import { kLetters } from './plot';
 
 const kQuiet = 900; // milliseconds without a change before a screen reader is told
 
@@ -29,7 +29,7 @@ function vertexWords(scene: Scene, vertex: number): string {
 }
 
 // The scene in words, for those who do not see it and for those who want to check what they see.
-export function describe(scene: Scene): string {
+function describe(scene: Scene): string {
   const answers = (['first', 'second', 'exact'] as const).map((layer) => layerName(layer, scene));
   return [...[0, 1, 2].map((i) => vertexWords(scene, i)), `${answers.join('; ')}.`].join(' ');
 }

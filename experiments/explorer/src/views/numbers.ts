@@ -8,16 +8,15 @@ import type { Page, Panel } from '../panel';
 import { choice, html } from '../panels/dom';
 import { isInvertible, toClipPosition, toViewPosition } from '../projection';
 import type { Scene } from '../scene';
-import type { State } from '../state';
+import { kLetters, type State } from '../state';
 import { withVertex } from './drag';
 import { numberField, type NumberField } from './number_field';
-import { kLetters } from './plot';
 import { volumeForm } from './volume_form';
 
 const kNames = ['x', 'y', 'z', 'w'] as const;
 
 // The triangle with its numbers in the other space, as the clippers have them there.
-export function converted({ state, clip, view }: Scene): Partial<State> | null {
+function converted({ state, clip, view }: Scene): Partial<State> | null {
   const triangle = state.space === 'view' ? clip : view;
   if (triangle === null) return null;
   const space: Space = state.space === 'view' ? 'clip' : 'view';
@@ -124,9 +123,8 @@ export const kNumbers: Panel = {
     const parts = [positions(page), attributes(page)];
     const volume = volumeForm(page);
     const remark = html('p', { class: 'remark', role: 'status' });
-    host.append(html('div', { class: 'numbers' },
-      html('div', { class: 'given' }, space.element, parts[0]!.element, remark,
-           parts[1]!.element), volume.element));
+    host.append(space.element, html('div', { class: 'numbers' },
+      html('div', {}, parts[0]!.element, remark, parts[1]!.element), volume.element));
     return (scene: Scene) => {
       shown = scene;
       space.show(scene.state.space);

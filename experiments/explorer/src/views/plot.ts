@@ -6,6 +6,7 @@
 
 import type { Page } from '../panel';
 import type { Scene } from '../scene';
+import { kLetters, type State } from '../state';
 import { dragged, nudged, withVertex, type Held } from './drag';
 import { drawFigure } from './figure';
 import { onLayers } from './layers';
@@ -14,7 +15,6 @@ import { Painter } from './painter';
 import { pointOf, type Space } from './space';
 import { colours, onColours } from './theme';
 
-export const kLetters = ['A', 'B', 'C'] as const;
 const kInset = 12; // of the handles of vertices that are not on the canvas, from its border
 
 const kCanvasHelp = 'Arrow keys turn it, plus and minus zoom, 0 fits it.';
@@ -56,9 +56,16 @@ export class Plot {
   }
 
   show(scene: Scene) {
-    if (this.scene !== null && isOther(scene, this.scene)) this.isFitted = this.isTurned = false;
+    if (this.scene !== null) this.follow(scene.state, this.scene.state);
     this.scene = scene;
     this.draw();
+  }
+
+  // Another triangle is fitted; what the reader has turned stays when only the volume changes.
+  private follow(state: State, before: State) {
+    if (isOther(state, before)) this.isTurned = false;
+    else if (this.isTurned || !isReshaped(state, before)) return;
+    this.isFitted = false;
   }
 
   private handle(letter: string, vertex: number): HTMLElement {
@@ -264,8 +271,13 @@ export class Plot {
 }
 
 // Another triangle, not a vertex of this one that was moved: at least two vertices are new.
-function isOther({ state }: Scene, { state: before }: Scene): boolean {
+function isOther(state: State, before: State): boolean {
   const changed = state.triangle.filter(
     (v, i) => v.position.some((n, k) => n !== before.triangle[i]!.position[k]));
-  return state.space !== before.space ? false : changed.length >= 2;
+  return state.source !== before.source ||
+         (state.space === before.space && changed.length >= 2);
+}
+
+function isReshaped({ frustum: f }: State, { frustum: before }: State): boolean {
+  return f.parallel !== before.parallel || f.depth !== before.depth;
 }

@@ -6,102 +6,15 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 
 import { frames, withPage } from './browser.mjs';
+import {
+  assertAgreement, assertClose, assertUnder, divided, drag, field, handle, kSpaces, middleOf,
+  numbersOf, pictureOf, saidOf, textOf, toClip, write,
+} from './hands.mjs';
 
 const [file] = process.argv.slice(2);
 assert.ok(file, 'usage: node tests/views.mjs PAGE.html');
 const onPage = (body, options = {}) =>
   withPage(file, { fragment: '#v1&show=numbers', ...options }, body);
-
-const kSpaces = ['view', 'xyw', 'xw', 'yw', 'zw', 'canonical'];
-const near = 1, far = 10; // of the page when it is opened; its sides are at -1 and 1
-const kDepthNames = { minus_one_to_one: [-1, 1], zero_to_one: [0, 1], reversed: [1, 0] };
-
-// --- What the page says -------------------------------------------------------------------------
-
-const handle = (page, space, letter) => page.locator(`[data-space=${space}] .vertex`)
-  .nth('ABC'.indexOf(letter));
-const field = (page, name, letter) => page.getByLabel(`${name} of ${letter}`, { exact: true });
-
-async function numbersOf(page, letter, names = 'xyz') {
-  const texts = await Promise.all([...names].map((n) => field(page, n, letter).inputValue()));
-  return texts.map(Number);
-}
-
-const pictureOf = (page, space) => page.locator(`[data-space=${space}] canvas`)
-  .evaluate((canvas) => canvas.toDataURL());
-
-async function write(page, name, letter, text) {
-  await field(page, name, letter).fill(text);
-  await field(page, name, letter).press('Enter');
-  await frames(page);
-}
-
-const textOf = (page, space, letter) =>
-  handle(page, space, letter).getAttribute('aria-valuetext');
-
-// The coordinates that a space says of a vertex, with four digits.
-async function saidOf(page, space, letter) {
-  const text = await textOf(page, space, letter);
-  return [...text.matchAll(/([xyzw]) (\u2212?[\d.e+\u2212]+)/g)]
-    .map(([, , digits]) => Number(digits.replaceAll('\u2212', '-')));
-}
-
-function assertClose(said, expected) {
-  assert.equal(said.length, expected.length);
-  expected.forEach((value, i) => {
-    // Four digits are said; floats of the clippers have seven.
-    assert.ok(Math.abs(said[i] - value) <= 6e-4 * Math.abs(value) + 1e-6,
-              `said ${said}, expected ${expected}`);
-  });
-}
-
-// --- The mathematics ----------------------------------------------------------------------------
-
-function toClip([x, y, z], depth = 'minus_one_to_one') {
-  const [low, high] = kDepthNames[depth];
-  // In [0, 1] at first: far (-z - near) / (far - near).
-  const unit = far * (-z - near) / (far - near);
-  return [near * x, near * y, low * -z + (high - low) * unit, -z];
-}
-
-const divided = ([x, y, z, w]) => [x / w, y / w, z / w];
-
-async function assertAgreement(page, letter, depth) {
-  const view = await numbersOf(page, letter);
-  const clip = toClip(view, depth);
-  assertClose(await saidOf(page, 'view', letter), view);
-  for (const space of ['xyw', 'xw', 'yw', 'zw']) {
-    assertClose(await saidOf(page, space, letter), clip);
-  }
-  if (clip[3] !== 0) assertClose(await saidOf(page, 'canonical', letter), divided(clip));
-}
-
-// --- Hands --------------------------------------------------------------------------------------
-
-async function middleOf(locator) {
-  const { x, y, width, height } = await locator.boundingBox();
-  return { x: x + width / 2, y: y + height / 2 };
-}
-
-async function drag(page, space, letter, dx, dy, { steps = 8, key = null } = {}) {
-  const from = await middleOf(handle(page, space, letter));
-  if (key !== null) await page.keyboard.down(key);
-  await page.mouse.move(from.x, from.y);
-  await page.mouse.down();
-  await page.mouse.move(from.x + dx, from.y + dy, { steps });
-  await page.mouse.up();
-  if (key !== null) await page.keyboard.up(key);
-  await frames(page);
-  return { x: from.x + dx, y: from.y + dy };
-}
-
-async function assertUnder(page, space, letter, pointer, pixels = 3) {
-  const at = await middleOf(handle(page, space, letter));
-  assert.ok(Math.hypot(at.x - pointer.x, at.y - pointer.y) <= pixels,
-            `${letter} is at ${at.x}, ${at.y}, the pointer at ${pointer.x}, ${pointer.y}`);
-}
-
-// --- The claims ---------------------------------------------------------------------------------
 
 test('views: all three spaces show the triangle of the start', onPage(async (page) => {
   for (const letter of 'ABC') await assertAgreement(page, letter);
@@ -351,6 +264,34 @@ test('views: any number is drawn without an error', onPage(async (page) => {
     await frames(page);
   }
 }));
+
+// Volumes of all kinds, triangles in both spaces.
+const kLinks = [
+  '#v1&show=numbers&depth=reversed&frustum=-1,1,-1,1,0.1,inf&a=-3,-1,-10&b=5,-1,2&c=0,2,-8',
+  '#v1&show=numbers&ortho=-2,2,-1.5,1.5,0,6&shear=0.2,-0.1&a=-3,-1,-1&b=2.5,-1,-4&c=0,2,-8',
+  '#v1&show=numbers&space=clip&a=-2,0,0,3&b=4,0,0,-3&c=-2,0.5,0,0',
+];
+
+for (const [number, fragment] of kLinks.entries()) {
+  test(`views: any drag gives finite numbers, volume ${number}`, onPage(async (page) => {
+    let seed = 7 + number;
+    const random = (size) => {
+      seed = (1103515245 * seed + 12345) % 2 ** 31;
+      return seed / 2 ** 31 * size;
+    };
+    const names = fragment.includes('space=clip') ? 'xyzw' : 'xyz';
+    const start = await Promise.all([...'ABC'].map((letter) => numbersOf(page, letter, names)));
+    for (let i = 0; i < 18; ++i) {
+      const space = kSpaces[i % 6], letter = 'ABC'[Math.floor(random(3))];
+      if (!await handle(page, space, letter).isVisible()) continue;
+      const key = [null, 'Shift', 'Alt'][Math.floor(random(3))];
+      await drag(page, space, letter, random(160) - 80, random(160) - 80, { steps: 3, key });
+    }
+    const end = await Promise.all([...'ABC'].map((letter) => numbersOf(page, letter, names)));
+    assert.ok(end.flat().every((value) => Number.isFinite(value)), `${end}`);
+    end.forEach((numbers, i) => assert.notDeepEqual(numbers, start[i]));
+  }, { fragment }));
+}
 
 test('views: every layer can be put out', onPage(async (page) => {
   for (const layer of ['input', 'step', 'first', 'second', 'exact']) {

@@ -60,7 +60,9 @@ export const kLegend: Panel = {
     let timer = 0;
     return (scene: Scene) => {
       for (const { layer, name } of switches) name.textContent = layerName(layer, scene);
-      behind.hidden = scene.clip.every((v) => !(v.position[3] < 0));
+      // It keeps its room: nothing above the pictures moves while a vertex is dragged.
+      const isBehind = scene.clip.some((v) => v.position[3] < 0);
+      behind.style.visibility = isBehind ? 'visible' : 'hidden';
       window.clearTimeout(timer);
       timer = window.setTimeout(() => { words.textContent = describe(scene); },
                                 words.textContent === '' ? 0 : kQuiet);

@@ -34,12 +34,23 @@ export function numbersOf(v: Vertex): number[] {
   return [...v.position, ...v.attributes];
 }
 
-// The exact polygon of a state in its scalar, computed once for all who ask.
+const isEqual = (a: Rational, b: Rational) => a.n * b.d === b.n * a.d;
+const coincide = (a: ExactVertex, b: ExactVertex) =>
+  [0, 1, 2].every((k) => isEqual(a.position[k]!, b.position[k]!));
+
+// Of vertices that coincide the first, as reference/ has it.
+export function withoutRepeats(polygon: readonly ExactVertex[]): ExactVertex[] {
+  return polygon.filter((v, i) => !polygon.slice(0, i).some((u) => coincide(u, v)));
+}
+
+// The exact polygon of a state in its scalar, computed once for all who ask; less than three
+// vertices have no area.
 const known = new WeakMap<State, ExactVertex[] | null>();
 export function exactOf(state: State): ExactVertex[] | null {
   let polygon = known.get(state);
   if (polygon === undefined) {
-    polygon = exactPolygon(state, state.scalar);
+    const found = exactPolygon(state, state.scalar);
+    polygon = found === null ? null : withoutRepeats(found);
     known.set(state, polygon);
   }
   return polygon;

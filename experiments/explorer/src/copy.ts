@@ -3,6 +3,7 @@
 // A state as text for other places: a command of the program, a case of tests/corpus and a C++
 // program. The numbers are those that the clippers get, in the state's scalar.
 
+import { exactOf } from './compare';
 import { kPlanes, rounded } from './engine';
 import type { Clipper, Depth, Question, Scalar, Vertex } from './engine';
 import { exactPolygon } from './exact';
@@ -129,7 +130,7 @@ function isInside(state: State, vertex: Vertex): boolean {
 // What comes out in exact arithmetic, where it has an area: what the program says of less is not
 // known here, and it says so itself when it reads a case without this line.
 function expectedLine(state: State): string[] {
-  const polygon = exactPolygon(state, state.scalar);
+  const polygon = exactOf(state);
   if (polygon === null || polygon.length < 3) return [];
   const isAccepted = state.triangle.every((v) => isInside(state, v));
   return [`expect ${isAccepted ? 'accepted' : 'clipped'} ${polygon.length}`];

@@ -6,9 +6,10 @@ import type { Panel } from './panel';
 import { kGuide, kInstruments } from './panels/groups';
 import { kLegend } from './views/legend';
 import { kSpaces, kTabs } from './views/spaces';
+import { kWords } from './views/words';
 
-// The three spaces side by side, their legend above them.
-export const kViews: readonly Panel[] = [kTabs, kLegend, ...kSpaces];
+// The three spaces side by side, their legend above them and the scene in words below.
+export const kViews: readonly Panel[] = [kTabs, kLegend, ...kSpaces, kWords];
 
 // Below them.
 export const kPanels: readonly Panel[] = [kGuide, kInstruments];

@@ -18,7 +18,7 @@ const epsilon: Lesson = {
     'Here the near plane is about 1e-6 in front of the eye, and corner C about 5e-6. The first ' +
     'clipper cuts at w = 1e-5: that is nothing in space, but on the screen a good part of the ' +
     'triangle is missing at its tip.'],
-  open: { ...viewTriangle([-1, -1, -3], [1, -1, -3], [0, 0, -5 * kNearest]),
+  open: { ...viewTriangle([-3, -3, -3], [3, -3, -3], [0, 0, -5 * kNearest]),
           frustum: { parallel: false, left: -kNearest, right: kNearest, bottom: -kNearest,
                      top: kNearest, near: kNearest, far: 10, infiniteFar: false, shearX: 0,
                      shearY: 0, depth: 'minus_one_to_one' },

@@ -26,6 +26,13 @@ function entry(hardCase: HardCase, store: Store) {
   return { hardCase, open, item: html('li', {}, open) };
 }
 
+// Scrolls the list, and not the page, so far that the item is seen.
+function reveal(list: HTMLElement, item: HTMLElement) {
+  const [frame, box] = [list.getBoundingClientRect(), item.getBoundingClientRect()];
+  if (box.top < frame.top) list.scrollTop -= frame.top - box.top;
+  else if (box.bottom > frame.bottom) list.scrollTop += box.bottom - frame.bottom;
+}
+
 function mount(host: HTMLElement, { store, catalogue }: Page) {
   const entries = catalogue.map((hardCase) => entry(hardCase, store));
   const search = html('input', { type: 'search', placeholder: 'behind, sliver, ulp, clipped 9, …',
@@ -47,7 +54,9 @@ function mount(host: HTMLElement, { store, catalogue }: Page) {
     for (const { hardCase, open } of entries) {
       open.setAttribute('aria-current', String(hardCase.name === shown));
     }
-    const current = entries.find((e) => e.hardCase.name === shown)?.hardCase;
+    const entryOfCase = entries.find((e) => e.hardCase.name === shown);
+    if (entryOfCase !== undefined) reveal(list, entryOfCase.item);
+    const current = entryOfCase?.hardCase;
     about.replaceChildren(...(current === undefined ? [] : [
       html('strong', {}, current.name),
       ` Exact outcome: ${current.expected}. Where it was met: ${current.source}.`]));

@@ -6,6 +6,7 @@
 import { compare, exactOf, meaningOf } from '../compare';
 import type { Comparison } from '../compare';
 import type { Clipper, Engine, Scalar } from '../engine';
+import type { ExactVertex } from '../exact';
 import type { Page, Panel } from '../panel';
 import type { Answer, Scene } from '../scene';
 import { button, choice, html, Table, tableRow } from './dom';
@@ -48,6 +49,12 @@ function answerRow(which: 'first' | 'second', answer: Answer, scene: Scene) {
   return tableRow([name, vertices, outcome, ...errorsOf(comparison)]);
 }
 
+function exactText(exact: readonly ExactVertex[] | null): string {
+  if (exact === null) return 'the numbers enclose no volume';
+  if (exact.length >= 3) return 'in rational numbers';
+  return exact.length === 0 ? 'nothing is visible' : 'nothing that has an area is visible';
+}
+
 function description(which: 'first' | 'second', { name, summary, source }: Clipper) {
   return html('p', { class: 'note' }, swatch(which), html('strong', {}, name), ` ${summary}. `,
               html('cite', {}, source), '.');
@@ -83,8 +90,7 @@ function mount(host: HTMLElement, { engine, store }: Page) {
     table.setRows([
       answerRow('first', a, scene), answerRow('second', b, scene),
       tableRow([[swatch('exact'), 'exact'], exact === null ? '–' : String(exact.length),
-                exact === null ? 'the numbers enclose no volume'
-                  : exact.length === 0 ? 'nothing is visible' : 'in rational numbers', '', '', '']),
+                exactText(exact), '', '', '']),
     ]);
     notes.replaceChildren(description('first', a.clipper), description('second', b.clipper));
   };

@@ -36,7 +36,6 @@ export class Plot {
   private isFitted = false;
   private isShown = false;
   private isTurned = false; // by the reader, who then has the last word
-  private corner: Pixel = { x: 0, y: 0 }; // of the plot in the window, when the pointer went down
 
   constructor(private readonly space: Space, private readonly page: Page) {
     this.lens = space.makeLens();
@@ -92,7 +91,6 @@ export class Plot {
     }
     root.addEventListener('wheel', (event) => {
       event.preventDefault();
-      this.findCorner();
       this.lens.zoom(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0015)),
                      this.pixel(event));
       this.turned();
@@ -102,17 +100,12 @@ export class Plot {
   }
 
   private pixel(event: MouseEvent): Pixel {
-    return { x: event.clientX - this.corner.x, y: event.clientY - this.corner.y };
-  }
-
-  private findCorner() {
     const { left, top } = this.canvas.getBoundingClientRect();
-    this.corner = { x: left, y: top };
+    return { x: event.clientX - left, y: event.clientY - top };
   }
 
   private down(event: PointerEvent) {
     if (event.button !== 0) return;
-    this.findCorner();
     const pixel = this.pixel(event);
     this.pointers.set(event.pointerId, pixel);
     this.root.setPointerCapture(event.pointerId);

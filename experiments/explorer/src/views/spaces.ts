@@ -12,15 +12,41 @@ import { kSlices } from './slices';
 import type { Space } from './space';
 import { kViewSpace } from './view_space';
 
-const caption = (text: string) => html('p', { class: 'caption' }, text);
+interface Caption { element: HTMLElement; show: (scene: Scene) => void }
 
-function single(id: string, title: string, text: string, space: Space): Panel {
+function captionOf(text: (scene: Scene) => string): Caption {
+  const element = html('p', { class: 'caption' });
+  const show = (scene: Scene) => {
+    const wanted = text(scene);
+    if (element.textContent !== wanted) element.textContent = wanted;
+  };
+  return { element, show };
+}
+
+function viewCaption({ state: { frustum } }: Scene): string {
+  return frustum.parallel ? 'Parallel rays go down \u2212z through a box.'
+    : 'The eye looks down \u2212z into the frustum.';
+}
+
+function canonicalCaption({ state: { frustum, space }, clip }: Scene): string {
+  const sizes = clip.map((v) => v.position[3]);
+  if (sizes.some((w) => w < 0) && sizes.some((w) => w > 0)) {
+    return 'Edges through w = 0 go to infinity and come back.';
+  }
+  return frustum.parallel && space === 'view' ? 'w is 1: the divide changes nothing.'
+    : 'After the divide by w: the frustum is a box.';
+}
+
+function single(id: string, title: string, text: (scene: Scene) => string, space: Space): Panel {
   return {
     id, title,
     mount(host: HTMLElement, page: Page) {
-      const plot = new Plot(space, page);
-      host.append(caption(text), plot.root);
-      return (scene: Scene) => plot.show(scene);
+      const plot = new Plot(space, page), caption = captionOf(text);
+      host.append(caption.element, plot.root);
+      return (scene: Scene) => {
+        caption.show(scene);
+        plot.show(scene);
+      };
     },
   };
 }
@@ -45,18 +71,16 @@ const kClipSpace: Panel = {
     const options = kClipPlots.map(({ name, space }) => [space.id, name] as const);
     const part = choice('Part of clip space', [['all', 'all'], ...options], show);
     part.show('all');
-    host.append(
-      caption('Before the divide: inside is |x| \u2264 w, |y| \u2264 w.'),
-      part.element, grid);
+    const caption = html('p', { class: 'caption' }, 'Before the divide: inside is |x|, |y| \u2264 w.');
+    host.append(caption, part.element, grid);
     return (scene: Scene) => { for (const plot of plots) plot.show(scene); };
   },
 };
 
 export const kSpaces: readonly Panel[] = [
-  single('view_space', 'View space', 'The eye looks down \u2212z into the frustum.', kViewSpace),
+  single('view_space', 'View space', viewCaption, kViewSpace),
   kClipSpace,
-  single('canonical_volume', 'Canonical view volume',
-         'After the divide by w: the frustum has become a box.', kCanonicalSpace),
+  single('canonical_volume', 'Canonical view volume', canonicalCaption, kCanonicalSpace),
 ];
 
 // On a narrow screen one space is shown at a time.

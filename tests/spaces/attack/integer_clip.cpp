@@ -200,7 +200,7 @@ void note_area(const Batch& batch, const Vertices& vertices, Facts& facts) {
   facts.note(Fact::sliver, area != 0 && lost_bits(area, magnitudes) >= 20);
 }
 
-// The position, then the attributes; `own`: floats of a vertex of the triangle as they are, or null.
+// The position, then the attributes.
 void append_vertex(const std::vector<Channel>& channels, const Corner& corner,
                    std::vector<float>& out, Facts& facts) {
   for (std::size_t i = 0; i < channels.size(); ++i) {

@@ -60,6 +60,28 @@ int set_tied_edge(Dice& dice, Triangle& v, const Batch& like, int p, int sum, in
   return axis;
 }
 
+// Where two planes meet inside of the triangle, with weights of 1 : 1 : 2 exactly, the first two of
+// which are rounded differently: vertices 0 and 1 lie on both sides of x = y = 0 by fine and
+// unequal steps, vertex 2 at (2, 2) in NDC.
+void set_symmetric(Dice& dice, const Triangle& v) {
+  const float w = dice.sized(-20, 20), side_x = dice.sign(), side_y = dice.sign();
+  const float x = w * dice.sized(-40, -2), y = w * dice.sized(-40, -2);
+  const float xs[3] = {x, -x, 2 * w}, ys[3] = {y, -y, 2 * w};
+  for (std::size_t i = 0; i < 3; ++i) {
+    v[i][0] = side_x * xs[i];
+    v[i][1] = side_y * ys[i];
+    v[i][2] = 0;
+    v[i][3] = w;
+  }
+}
+
+// Values whose mean there is exactly 0.
+void set_opposite(float& a, float& b, float& c, float size) {
+  a = size;
+  b = -size;
+  c = 0;
+}
+
 }  // namespace
 
 Batch subnormals(Dice& dice) {
@@ -84,6 +106,16 @@ Batch exact_ties(Dice& dice) {
   const Volume volume = some_volume(dice, 0);
   const int sum = dice.between(1, 8);
   return make_batch(dice, volume, attributes, [&](Triangle v) {
+    if (dice.one_in(3)) {
+      // The mean of a, a and twice its neighbour is half way between them.
+      set_symmetric(dice, v);
+      for (int k = 4; k < 4 + attributes; ++k) {
+        v[0][k] = v[1][k] = dice.over_powers(-100, 100);
+        v[2][k] = std::nextafter(v[0][k], 0.0f);
+      }
+      shuffle(dice, v);
+      return;
+    }
     const int p = 2 * dice.below(1 << (sum - 1)) + 1;
     set_tied_edge(dice, v, like, p, sum, 8 + dice.below(4));
     shuffle(dice, v);
@@ -161,7 +193,16 @@ Batch underflowing_quotients(Dice& dice) {
 
 Batch cancelling_coordinates(Dice& dice) {
   const int attributes = some_attributes(dice);
+  const bool is_symmetric = dice.one_in(4);
   Batch r = make_clip_batch(dice, some_volume(dice, 0), attributes, [&](const Triangle& v) {
+    if (is_symmetric) {
+      set_symmetric(dice, v);
+      set_opposite(v[0][2], v[1][2], v[2][2], v[0][3] * dice.sized(-100, -1));
+      for (int k = 4; k < 4 + attributes; ++k) {
+        set_opposite(v[0][k], v[1][k], v[2][k], dice.over_powers(-149, -100));
+      }
+      return;
+    }
     scatter(dice, v, dice.between(-3, 3));
     // One axis is free: no plane of it cuts.
     for (float* p : v) p[0] = static_cast<float>(dice.uniform(-0.4, 0.4)) * std::abs(p[3]);
@@ -171,7 +212,7 @@ Batch cancelling_coordinates(Dice& dice) {
       }
     }
   });
-  for (std::size_t t = 0; t < r.triangles(); ++t) {
+  for (std::size_t t = 0; !is_symmetric && t < r.triangles(); ++t) {
     tune_to_zero(dice, r, t, 0);
     for (std::size_t i = 4; i < r.stride(); ++i) tune_to_zero(dice, r, t, i);
   }

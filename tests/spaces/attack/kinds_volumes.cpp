@@ -3,6 +3,7 @@
 // Kinds of input whose volume is odd: its frustum, its clip distances, its depth, its extent.
 #include "tests/spaces/attack/kinds.hpp"
 #include "tests/spaces/attack/making.hpp"
+#include "tests/spaces/attack/tuning.hpp"
 
 namespace clipscope::attack {
 namespace {
@@ -63,9 +64,59 @@ void set_in_view(Dice& dice, const Frustum& f, float* p) {
   p[2] = number(z);
 }
 
+// An edge that the left side of a sheared projection cuts in its middle, but for what the third
+// component says of its distances: x + shear z - left = 1 - a - b and -1 + a - b. Values there are
+// next to half way between floats.
+Batch sheared_middles(Dice& dice) {
+  Frustum f{.is_perspective = false, .left = 0, .right = 4, .bottom = -4, .top = 4};
+  f.near = -4;
+  f.far = 4;
+  f.left = dice.one_in(4) ? 0.0f : dice.over_powers(-149, -100);
+  f.shear_x = dice.over_powers(-70, -30);
+  const int attributes = some_attributes(dice);
+  Batch r{{.depth = some_volume(dice, 0).depth}, f, attributes, {}};
+  r.floats.resize(static_cast<std::size_t>(3 * some_count(dice)) * r.stride());
+  for (std::size_t t = 0; t < r.triangles(); ++t) {
+    const float z = dice.over_powers(-1, 0);
+    for (std::size_t k = 0; k < r.stride(); ++k) {
+      float* const v[3] = {r.vertex(t, 0) + k, r.vertex(t, 1) + k, r.vertex(t, 2) + k};
+      const float low = dice.over_powers(-2, 0);
+      *v[0] = k == 0 ? 1.0f : k == 2 ? z : low;
+      *v[1] = k == 0 ? -1.0f : k == 2 ? -z : std::nextafter(low, 2.0f);
+      *v[2] = k == 1 ? -low : *v[0];
+    }
+  }
+  return r;
+}
+
+// Bounds of such different sizes that no double holds right - left; only bottom and top cut, and x
+// is next to half way between floats.
+Batch inexact_widths(Dice& dice) {
+  Frustum f;
+  f.is_perspective = dice.one_in(2);
+  f.right = dice.sized(0, 3);
+  f.left = -dice.sized(-40, -28);
+  f.far = 20;
+  const int attributes = some_attributes(dice);
+  Batch r{{.depth = some_volume(dice, 0).depth}, f, attributes, {}};
+  r.floats.resize(static_cast<std::size_t>(3 * some_count(dice)) * r.stride());
+  for (std::size_t i = 0; i < 3 * r.triangles(); ++i) {
+    float* const p = r.vertex(0, i);
+    p[2] = -static_cast<float>(dice.uniform(1.5, 19));
+    const float scale = f.is_perspective ? -p[2] : 1;
+    p[0] = static_cast<float>(dice.uniform(0.1, 0.9)) * f.right * scale;
+    p[1] = static_cast<float>(dice.uniform(-2, 2)) * scale;
+    for (int k = 3; k < 3 + attributes; ++k) p[k] = static_cast<float>(dice.uniform(-1, 1));
+  }
+  for (std::size_t t = 0; t < r.triangles(); ++t) tune_to_tie(dice, r, t, 0);
+  return r;
+}
+
 }  // namespace
 
 Batch odd_frusta(Dice& dice) {
+  if (dice.one_in(5)) return sheared_middles(dice);
+  if (dice.one_in(5)) return inexact_widths(dice);
   const int attributes = some_attributes(dice);
   Batch r{some_volume(dice, attributes), odd_frustum(dice), attributes, {}};
   const int count = some_count(dice);
@@ -102,6 +153,13 @@ Batch depth_clamp(Dice& dice) {
   Volume volume = some_volume(dice, attributes);
   volume.clamps_near = dice.one_in(2);
   volume.clamps_far = !volume.clamps_near || dice.one_in(2);
+  if (dice.one_in(4)) {
+    volume.clamps_near = volume.clamps_far = true;
+    Batch r = make_clip_batch(dice, volume, attributes,
+                              [&](const Triangle& v) { scatter(dice, v, dice.between(-60, -3)); });
+    for (std::size_t t = 0; t < r.triangles(); ++t) tune_to_overflow(dice, r, t, 2);
+    return r;
+  }
   return make_batch(dice, volume, attributes, [&](const Triangle& v) {
     const int exponent = dice.between(-60, 60);
     scatter(dice, v, exponent);

@@ -51,8 +51,10 @@ Batch make_batch(Dice& dice, const Volume& volume, int attributes, Set&& set) {
 
 // Another order of the vertices.
 inline void shuffle(Dice& dice, Triangle& v) {
-  for (int i = 2; i > 0; --i)
-    std::swap(v[static_cast<std::size_t>(i)], v[static_cast<std::size_t>(dice.below(i + 1))]);
+  for (std::size_t i = 2; i > 0; --i) {
+    const int other = dice.below(static_cast<int>(i) + 1);
+    std::swap(v[i], v[static_cast<std::size_t>(other)]);
+  }
 }
 
 }  // namespace clipscope::attack

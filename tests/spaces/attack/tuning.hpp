@@ -16,6 +16,9 @@ namespace clipscope::attack {
 // cuts depends on it. Does nothing if there is no new vertex.
 void tune_to_tie(Dice& dice, Batch& batch, std::size_t triangle, std::size_t place);
 
+// The same in NDC, so that it comes next to where the quotient rounds to infinity.
+void tune_to_overflow(Dice& dice, Batch& batch, std::size_t triangle, std::size_t place);
+
 // The same, so that it comes next to 0 beside its terms.
 void tune_to_zero(Dice& dice, Batch& batch, std::size_t triangle, std::size_t place);
 

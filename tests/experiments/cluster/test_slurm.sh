@@ -77,12 +77,11 @@ slurmd -N n1 -f "$SLURM_CONF"
 both_idle() { [[ $(sinfo --noheader --format=%D --states=idle) == 2 ]]; }
 wait_for 30 "two idle nodes" both_idle
 
-"$spread" slurm "$results" 6 "${sweep[@]}"
+"$spread" slurm "$results" 6 "${mishaps[@]}"
 array=$(squeue --noheader --array --name=clipscope --format=%F | head -1)
-process_of 0/6 >/dev/null
+wait_for 60 "a running shard 0" test -e "$work/stands_still"
 scancel "${array}_0"
-kill -9 "$(process_of 1/6)"
-wait_for 120 "the merged results" test -e "$results/whole/lattice_small.csv"
+wait_for 150 "the merged results" test -e "$results/whole/lattice_small.csv"
 check_same_table
 arrays=$(find "$results/log" -name '*_*.txt' ! -name 'merge_*' -printf '%f\n' | cut -d_ -f1 | sort -u)
 [[ $(wc -l <<<"$arrays") -ge 2 ]] || fail "nothing was submitted again: $arrays"

@@ -29,10 +29,6 @@ namespace clipscope::experiments::worst_cases {
 
 enum class Aim : std::uint8_t { near_tie, tie };  // with one exponent
 
-// Whether there is an exact tie among normal floats. A quotient of two floats is none: m w = 2^k x
-// with m odd and of 25 bits asks for more bits than x has.
-inline bool has_ties(Place place) { return place != Place::vertex; }
-
 // The best of so many attempts, marked; nothing where none succeeded. It has one exponent.
 // Pre-condition: has_ties of the kind's place where a tie is the aim.
 std::optional<HardCase> constructed(const TieKind& kind, Aim aim, std::size_t attempts,

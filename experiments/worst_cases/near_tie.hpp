@@ -23,6 +23,10 @@ namespace clipscope::experiments::worst_cases {
 enum class Place : std::uint8_t { vertex, edge, corner };
 constexpr std::array<std::string_view, 3> names_of(Place) { return {"vertex", "edge", "corner"}; }
 
+// Whether there is an exact tie among normal floats. A quotient of two floats is none: m w = 2^k x
+// with m odd and of 25 bits asks for more bits than x has.
+inline bool has_ties(Place place) { return place != Place::vertex; }
+
 enum class Quantity : std::uint8_t { xy, z, inv_w, attribute };
 constexpr std::array<std::string_view, 4> names_of(Quantity) {
   return {"x or y", "z", "1/w", "attribute"};

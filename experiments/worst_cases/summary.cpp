@@ -21,16 +21,24 @@ std::optional<double> in_ulp_of_largest(const std::optional<double>& relative,
   return *relative / format.ulp_at(1);
 }
 
+// In the first scalar.
 std::string chain_sentence(const std::vector<WorstRow>& worst) {
   using R = WorstRow;
-  std::vector<R> rows = rows_where(worst, &R::scalar, "float", &R::inputs, Inputs::in_domain);
+  if (worst.empty()) return "";
+  std::vector<R> rows =
+      rows_where(worst, &R::scalar, worst.front().scalar, &R::inputs, Inputs::in_domain);
   std::erase_if(rows, [](const R& row) { return !row.px; });
-  if (rows.size() < 2) return "";
+  if (rows.empty()) return "";
   const auto [best, last] = std::ranges::minmax_element(rows, {}, [](const R& r) { return *r.px; });
-  return fmt::format(
-      "In float, away from the eye, the largest known error on screen is the smallest with {}, {} px, and the largest with {}, {} px.",
-      spoken_clipper(best->clipper), format_number(*best->px), spoken_clipper(last->clipper),
-      format_number(*last->px));
+  std::string text = fmt::format("In {}, away from the eye, the largest known error on screen is ",
+                                 spoken_scalar(best->scalar));
+  if (rows.size() == 1) {
+    return text +
+           fmt::format("{} px with {}.", format_number(*best->px), spoken_clipper(best->clipper));
+  }
+  return text + fmt::format("the smallest with {}, {} px, and the largest with {}, {} px.",
+                            spoken_clipper(best->clipper), format_number(*best->px),
+                            spoken_clipper(last->clipper), format_number(*last->px));
 }
 
 bool reaches_limit(const TieRow& row) {
@@ -111,7 +119,7 @@ Plot tie_plot(const std::vector<TieRow>& ties) {
 std::string finding(const std::vector<WorstRow>& worst, const std::vector<TieRow>& ties) {
   std::string text = chain_sentence(worst);
   if (!ties.empty()) text += limit_sentence(ties) + digits_sentence(ties) + rounding_sentence(ties);
-  if (text.empty()) return "No clipper was asked for that has records.";
+  if (text.empty()) return "No error was found, or no clipper was asked for that has records.";
   return text.starts_with(' ') ? text.substr(1) : text;
 }
 

@@ -10,6 +10,7 @@
 #include "experiments/hunt/hunt.hpp"
 #include "experiments/judge/questions.hpp"
 #include "experiments/scenes/random.hpp"
+#include "experiments/selection/select.hpp"
 #include "experiments/survey/case_batch.hpp"
 #include "experiments/worst_cases/constructed.hpp"
 

@@ -34,8 +34,10 @@ bool is_of_pieces(const std::vector<MergeSource>& sources) {
 
 // What is still to be done with the pieces of a run, if all are there.
 void tell_run(const std::vector<MergeSource>& sources, const std::string& out) {
-  const std::string command = value_of(sources.front().info, "command");
   if (!is_whole(sources)) return;
+  std::string command = value_of(sources.front().info, "command"), names;
+  for (const StoredExperiment& e : sources.front().experiments) names += " " + e.name;
+  command.insert(std::string("clipscope run").size(), names);
   fmt::print("all pieces are in {}; its tables are made by:\n  {} --resume --out {}\n", out,
              command, shell_word(out));
 }

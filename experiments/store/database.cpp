@@ -111,8 +111,9 @@ DatabasePointer create_database(const std::filesystem::path& file, const RunInfo
 DatabasePointer open_database(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) {
-    throw InputError(fmt::format("{}: there is no such file; `clipscope run --out DIR` writes it",
-                                 file.string()));
+    throw InputError(
+        fmt::format("{}: there is no such file; `clipscope run --out DIR`, or a shard, writes it",
+                    file.string()));
   }
   // Read only where the file can't be written; else writable for readers, too: only so can SQLite
   // undo what a killed writer has left.

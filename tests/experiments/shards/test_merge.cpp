@@ -80,7 +80,11 @@ TEST_CASE("merge: hunts of many seeds are the same from any number of shards") {
 }
 
 TEST_CASE("merge: of hunts that found equally much the one of the lower seed stays") {
-  hunt::HuntRow none{.clipper = "a", .scalar = "float", .measure = "px", .hunts = 0};
+  hunt::HuntRow none;
+  none.clipper = "a";
+  none.scalar = "float";
+  none.measure = "px";
+  none.hunts = 0;
   hunt::HuntRow first = none, second = none;
   first.hunts = second.hunts = 1;
   first.worst = second.worst = 4;

@@ -30,7 +30,7 @@ depends() {
 # What its modules and hosts link is found, too.
 depends clipscope libc6 libgmp10 'libopenimageio[0-9.]*(t64)?' libepoxy0
 depends libclipscope-dev libglm-dev libhwy-dev
-if [[ -e $build/python ]]; then depends python3-clipscope python3 python3-numpy 'libhwy1(t64)?'; fi
+if grep -q clipscope_python_all "$build/build.ninja"; then depends python3-clipscope python3 python3-numpy 'libhwy1(t64)?'; fi
 
 # What was unpacked elsewhere finds its own.
 moved=$work/moved/usr

@@ -157,8 +157,8 @@ function ulpZoom(state: State): number {
 function scaleText(half: number, exact: ExactVertex, scalar: Scalar): string {
   const px = half * 2 * 3840 / 2;
   const ulps = 2 * half / spacing(nearest(exact.position[0], scalar), scalar);
-  return `The picture is ${short(2 * half, 3)} wide in NDC: ${short(px, 3)} pixels of 3840, ` +
-         `${short(ulps, 3)} ulps of x.`;
+  return `The picture is ${short(2 * half, 3)} wide in NDC: ${short(px, 3)} pixels ` +
+         `of a screen 3840 wide, ${short(ulps, 3)} ulps of x.`;
 }
 
 function mount(host: HTMLElement, { store }: Page) {

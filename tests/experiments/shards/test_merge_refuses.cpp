@@ -53,8 +53,8 @@ TEST_CASE("merge: shards of another build are refused") {
 TEST_CASE("merge: a shard that is not finished is refused, with the command that finishes it") {
   const ShardFolders folders;
   const std::vector<std::string> s = folders.shards(kTiny, 2);
-  store_in(folders, "1of2").exec("UPDATE shards SET done = 0");
-  folders.is_refused(s, 2, {"1of2: shard 1/2 is not finished, 0 of ", "--shard 1/2 --resume"});
+  store_in(folders, "0of2").exec("UPDATE shards SET done = 0");
+  folders.is_refused(s, 2, {"0of2: shard 0/2 is not finished, 0 of 2", "--shard 0/2 --resume"});
 }
 
 TEST_CASE("merge: a folder without a shard, and one that would be written over, are refused") {
@@ -63,7 +63,7 @@ TEST_CASE("merge: a folder without a shard, and one that would be written over, 
   folders.do_run("hunt --clipper textbook --evaluations 50 --out " + folders.at("hunted"));
   folders.is_refused({folders.at("hunted")}, 3, {"hunted: holds no shard"});
   CHECK(folders.run("merge " + s[0] + " " + s[0]).code == 2);
-  CHECK(folders.run("merge " + folders.at("out")).code == 2);
+  CHECK(folders.run("merge " + folders.at("sum")).code == 2);
 }
 
 TEST_CASE("shard: options that do not go together are refused, by name") {
@@ -74,7 +74,7 @@ TEST_CASE("shard: options that do not go together are refused, by name") {
     CHECK(r.code == 2);
     CHECK(contains(r.err, text));
   };
-  const std::string out = " --out " + folders.at("out");
+  const std::string out = " --out " + folders.at("shard");
   refused(kTiny + " --shard 3/3" + out, "--shard: '3/3' given, i/N expected");
   refused(kTiny + " --shard 0/3", "--shard: takes --out DIR");
   refused(kTiny + " --resume", "--resume: takes --out DIR");

@@ -103,9 +103,10 @@ Judgement judge(const PolygonView& polygon, const RoundedTruth& truth, const Kep
   const std::vector<VertexView> vertices = distinct_vertices(polygon);
   const std::vector<ScreenPoint> screen = screen_points(vertices);
   Judgement r{.visible = true, .wrong = comparison.outcome > Outcome::visible};
-  if (r.wrong && is_rounded_truth(polygon, truth, kept)) {
+  // Asked first: on a polygon smaller than a float on screen no vertex can be told from the next.
+  if (is_rounded_truth(polygon, truth, kept)) {
+    r.error_px = r.wrong ? screen_distance(screen, truth.screen) : comparison.position_px;
     r.wrong = false;
-    r.error_px = screen_distance(screen, truth.screen);
     r.coordinates = r.correctly_rounded = kCoordinates * truth.screen.size();
   } else if (r.wrong) {
     r.error_px = error_of_wrong(comparison.outcome, screen, truth.screen);

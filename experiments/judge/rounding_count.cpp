@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "experiments/judge/equal_numbers.hpp"
 #include "experiments/judge/match.hpp"
 
 namespace clipscope::experiments {
@@ -12,7 +13,8 @@ constexpr std::size_t kPosition = 4;  // x, y, z, 1/w
 
 using CountedNumbers = std::vector<double>;
 
-std::vector<CountedNumbers> numbers_of_vertices(const PolygonView& polygon) {
+template <class Polygon>
+std::vector<CountedNumbers> numbers_of_vertices(const Polygon& polygon) {
   std::vector<CountedNumbers> vertices;
   for (const VertexView& v : polygon) {
     CountedNumbers& numbers = vertices.emplace_back();
@@ -30,12 +32,12 @@ RoundingCount all_wrong(std::size_t vertices, std::size_t numbers) {
 
 // Vertex i of the one belongs to vertex (i + rotation) % n of the other. Pre-condition: as many.
 RoundingCount counted_at(std::size_t rotation, const std::vector<CountedNumbers>& nearest,
-                         const std::vector<VertexView>& found) {
+                         const std::vector<CountedNumbers>& found) {
   RoundingCount count = all_wrong(nearest.size(), found.front().size());
   for (std::size_t v = 0; v < nearest.size(); ++v) {
-    const VertexView& vertex = found[(v + rotation) % found.size()];
+    const CountedNumbers& vertex = found[(v + rotation) % found.size()];
     for (std::size_t i = 0; i < vertex.size(); ++i) {
-      if (vertex[i].value != nearest[v][i]) continue;
+      if (vertex[i] != nearest[v][i]) continue;
       --(i < kPosition ? count.misrounded : count.misrounded_attributes);
     }
   }
@@ -67,23 +69,16 @@ RoundingCount NearestPolygon::count(const PolygonView& polygon) {
   const std::vector<Numbers>& nearest = nearest_in(polygon.format());
   // A guest may answer fewer attributes than there are.
   const std::size_t numbers = polygon.empty() ? nearest.front().size() : polygon[0].size();
-  RoundingCount best = all_wrong(nearest.size(), numbers);
+  RoundingCount count = all_wrong(nearest.size(), numbers);
   constexpr Likeness kValue = Likeness::by_value;
   if (same_cycle(without_repeats(numbers_of_vertices(polygon), kValue),
                  without_repeats(nearest, kValue), kValue)) {
-    best.misrounded = best.misrounded_attributes = 0;
-    return best;
+    count.misrounded = count.misrounded_attributes = 0;
+    return count;
   }
-  const std::vector<VertexView> found = distinct_vertices(polygon);
-  if (found.size() != nearest.size()) return best;
-  for (std::size_t rotation = 0; rotation < found.size(); ++rotation) {
-    const RoundingCount count = counted_at(rotation, nearest, found);
-    const auto wrong = [](const RoundingCount& c) {
-      return c.misrounded + c.misrounded_attributes;
-    };
-    if (wrong(count) < wrong(best)) best = count;
-  }
-  return best;
+  const auto found = numbers_of_vertices(distinct_vertices(polygon));
+  if (found.size() != nearest.size()) return count;
+  return counted_at(most_equal_rotation(nearest, found), nearest, found);
 }
 
 }  // namespace clipscope::experiments

@@ -11,6 +11,7 @@
 
 #include "experiments/judge/compare.hpp"
 #include "experiments/judge/cycle.hpp"
+#include "experiments/judge/equal_numbers.hpp"
 #include "experiments/judge/match.hpp"
 #include "experiments/judge/stage_check.hpp"
 #include "experiments/survey/judged_once.hpp"
@@ -69,18 +70,11 @@ bool is_rounded_truth(const PolygonView& polygon, const RoundedTruth& truth, con
                     kValue);
 }
 
-std::size_t correctly_rounded(const std::vector<VertexView>& vertices,
-                              const std::vector<ScreenPoint>& screen, const RoundedTruth& truth,
+std::size_t correctly_rounded(const std::vector<VertexView>& vertices, const RoundedTruth& truth,
                               const Kept& kept) {
-  const std::size_t rotation = best_rotation(truth.screen, screen);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const KeptNumbers numbers = kept(vertices[(i + rotation) % vertices.size()]);
-    for (std::size_t c = 0; c < kCoordinates; ++c) {
-      if (numbers[c] == truth.nearest[i][c]) ++count;
-    }
-  }
-  return count;
+  std::vector<KeptNumbers> numbers;
+  for (const VertexView& v : vertices) numbers.push_back(kept(v));
+  return equal_numbers(truth.nearest, numbers, most_equal_rotation(truth.nearest, numbers));
 }
 
 double error_of_wrong(Outcome outcome, const std::vector<ScreenPoint>& answer,
@@ -103,10 +97,9 @@ Judgement judge(const PolygonView& polygon, const RoundedTruth& truth, const Kep
   const std::vector<VertexView> vertices = distinct_vertices(polygon);
   const std::vector<ScreenPoint> screen = screen_points(vertices);
   Judgement r{.visible = true, .wrong = comparison.outcome > Outcome::visible};
-  // Asked first: on a polygon smaller than a float on screen no vertex can be told from the next.
-  if (is_rounded_truth(polygon, truth, kept)) {
-    r.error_px = r.wrong ? screen_distance(screen, truth.screen) : comparison.position_px;
+  if (r.wrong && is_rounded_truth(polygon, truth, kept)) {
     r.wrong = false;
+    r.error_px = screen_distance(screen, truth.screen);
     r.coordinates = r.correctly_rounded = kCoordinates * truth.screen.size();
   } else if (r.wrong) {
     r.error_px = error_of_wrong(comparison.outcome, screen, truth.screen);
@@ -115,7 +108,7 @@ Judgement judge(const PolygonView& polygon, const RoundedTruth& truth, const Kep
   } else {
     r.error_px = comparison.position_px;
     r.coordinates = kCoordinates * vertices.size();
-    r.correctly_rounded = correctly_rounded(vertices, screen, truth, kept);
+    r.correctly_rounded = correctly_rounded(vertices, truth, kept);
   }
   return r;
 }

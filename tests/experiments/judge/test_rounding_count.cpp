@@ -4,9 +4,11 @@
 // thirds.
 #include "experiments/judge/rounding_count.hpp"
 
+#include <array>
 #include <cmath>
 #include <vector>
 
+#include "experiments/judge/equal_numbers.hpp"
 #include "experiments/scenes/scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/contestants/handmade.hpp"
@@ -101,4 +103,13 @@ TEST_CASE("rounding: what is visible in neither has no numbers, what is extra ha
       truth_polygon(reference::Truth::of_clip(DepthRange::minus_one_to_one), triangle);
   CHECK(count(Answer<float>{}, outside) == RoundingCount{});
   CHECK(count(nearest_answer<float>(), outside) == RoundingCount{12, 12, 3, 3});
+}
+
+TEST_CASE("rounding count: vertices are matched at the rotation that makes most numbers equal") {
+  using Vertices = std::vector<std::array<float, 2>>;
+  const Vertices wanted = {{0, 0}, {0x1p-140f, 0}, {0, 0x1p-140f}};
+  const Vertices turned = {wanted[1], wanted[2], wanted[0]};
+  CHECK(most_equal_rotation(wanted, turned) == 2);
+  CHECK(equal_numbers(wanted, turned, 2) == 6);
+  CHECK(equal_numbers(wanted, turned, 0) == 2);
 }

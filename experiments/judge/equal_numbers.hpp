@@ -12,8 +12,8 @@
 
 namespace clipscope::experiments {
 
-// Numbers of `found[(i + rotation) % n]` that equal those of `wanted[i]`, by value. Pre-condition: as
-// many vertices in both, none of `found` with more numbers.
+// Numbers of `found[(i + rotation) % n]` that equal those of `wanted[i]`, by value. Pre-condition:
+// as many vertices in both, none of `found` with more numbers.
 template <class Wanted, class Found>
 std::size_t equal_numbers(const std::vector<Wanted>& wanted, const std::vector<Found>& found,
                           std::size_t rotation) {

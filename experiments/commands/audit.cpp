@@ -85,8 +85,7 @@ void store_audit(const AuditReport& report, const AuditOptions& options, double 
   make_folder(*options.out);
   const FolderLock lock(*options.out);
   const std::string command = whole_command(report.source, options);
-  RunInfo info = run_info_of(default_run_selection());
-  std::ranges::find(info, "command", &RunInfo::value_type::first)->second = command;
+  const RunInfo info = run_info_of(default_run_selection(), command);
   const OpenedStore opened = start_store(*options.out, info);
   tell_kept(opened);
   RunRecorder recorder(opened.database, opened.file);

@@ -114,8 +114,7 @@ class HuntStore {
     make_folder(*options.out);
     lock_.emplace(*options.out);
     const std::string command = whole_command(options);
-    RunInfo info = run_info_of(options.selection);
-    std::ranges::find(info, "command", &RunInfo::value_type::first)->second = command;
+    const RunInfo info = run_info_of(options.selection, command);
     const OpenedStore opened = start_store(*options.out, info);
     tell_kept(opened);
     recorder_.emplace(opened.database, opened.file);

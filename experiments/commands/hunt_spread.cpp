@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Hunts of many seeds: each is a unit of work, which any process may do.
-#include <algorithm>
-
 #include "experiments/commands/hunt_result.hpp"
 #include "experiments/commands/options.hpp"
 
@@ -55,8 +53,7 @@ TableOf<HuntRow> hunts_table(const std::vector<HuntRow>& rows) {
 
 SpreadWork spread_work(const HuntCommandOptions& options, std::size_t units) {
   const std::string command = whole_command(options);
-  RunInfo info = run_info_of(options.selection);
-  std::ranges::find(info, "command", &RunInfo::value_type::first)->second = command;
+  RunInfo info = run_info_of(options.selection, command);
   // All that decides the hunts is in the command.
   set_option(info, "hunt", command);
   return {{std::string(HuntRow::kName), "On which input is a clipper worst?", command, ""},

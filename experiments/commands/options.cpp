@@ -132,6 +132,12 @@ void add_out_option(CLI::App& command, std::optional<std::string>& out) {
              "Also write the table as Markdown, CSV and LaTeX into this folder");
 }
 
+RunInfo run_info_of(const Selection& selection, const std::string& command) {
+  RunInfo info = run_info_of(selection);
+  std::ranges::find(info, "command", &RunInfo::value_type::first)->second = command;
+  return info;
+}
+
 void print_table(const Table& table, bool json, const std::optional<std::string>& out) {
   if (out) table.write(*out);
   fmt::print("{}\n", json ? json_text(table.to_json(), 2) : table.to_text());

@@ -25,6 +25,7 @@
 #include "experiments/machine/errors.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/selection/select.hpp"
+#include "experiments/store/run_folder.hpp"
 #include "experiments/table/table.hpp"
 
 namespace clipscope::experiments::commands {
@@ -120,6 +121,9 @@ void add_single_file_option(CLI::App& command, PageForm& form);
 void add_out_option(CLI::App& command, std::optional<std::string>& out);
 // Prints the table as text or JSON, and writes its files if there is a folder. Errors: OutputError.
 void print_table(const Table& table, bool json, const std::optional<std::string>& out = {});
+
+// What is told of a run that another command than `clipscope run` makes.
+RunInfo run_info_of(const Selection& selection, const std::string& command);
 
 // --format, and the table as it says.
 void add_format_option(CLI::App& command, std::string& format);

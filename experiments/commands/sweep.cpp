@@ -48,8 +48,7 @@ std::string sweep_command(const SweepOptions& options) {
 
 SpreadWork spread_work(const SweepOptions& options, std::size_t units) {
   const std::string command = sweep_command(options);
-  RunInfo info = run_info_of(options.selection);
-  std::ranges::find(info, "command", &RunInfo::value_type::first)->second = command;
+  RunInfo info = run_info_of(options.selection, command);
   if (options.is_random()) {
     set_option(info, "triangles", std::to_string(options.triangles));
   } else {

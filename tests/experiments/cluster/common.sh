@@ -17,6 +17,7 @@ fail() {
 # Sets `sweep` to the command of the program, and `mishaps` to the same of a program that meets with
 # mishaps: shard 1 is killed once in the middle of its work, and, by Slurm, shard 0 stands still once.
 set_sweep() { # PROGRAM
+  [[ -x $1 ]] || fail "there is no program $1"
   local arguments=(sweep --lattice small --quick --clipper '*/sutherland_hodgman' --scalar "float,double")
   sweep=("$1" "${arguments[@]}")
   # shellcheck disable=SC2034  # for the tests
@@ -31,7 +32,7 @@ case " \$all" in
   *" --shard 1/"*)
     if mkdir "$work/killed" 2>/dev/null; then
       "$1" "\$@" &
-      until [[ -s \$out/results.sqlite ]]; do sleep 0.01; done
+      while [[ ! -s \$out/results.sqlite ]] && kill -0 \$!; do sleep 0.01; done
       kill -9 \$! || touch "$work/was_too_quick"
       wait \$!
       exit

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "experiments/judge/depth_error.hpp"
 #include "experiments/judge/match.hpp"
@@ -111,6 +112,34 @@ void add_errors(const Format& format, const VertexView& vertex, const ExactVerte
   }
 }
 
+// Errors with vertex i of the truth standing for vertex (i + rotation) % n of the answer.
+// Pre-condition: as many in both.
+template <class Vertices>
+Comparison compared_at(std::size_t rotation, const Format& format, const Vertices& vertices,
+                       const TruthPolygon& truth) {
+  Comparison errors{.visible = true};
+  for (std::size_t i = 0; i < truth.exact.vertices.size(); ++i) {
+    add_errors(format, vertices[(i + rotation) % vertices.size()], truth.exact.vertices[i],
+               truth.approximation[i], errors);
+  }
+  errors.outcome = category(errors);
+  return errors;
+}
+
+// Vertices that are apart in truth may fall together in a format. An answer that has them all, each
+// within an ulp, is compared with them one by one.
+std::optional<Comparison> compared_with_repeats(const PolygonView& polygon,
+                                                const TruthPolygon& truth) {
+  const std::size_t n = polygon.size();
+  if (n != truth.exact.vertices.size()) return {};
+  const std::size_t rotations = n == 2 ? 1 : n;  // a segment keeps its order
+  for (std::size_t rotation = 0; rotation < rotations; ++rotation) {
+    const Comparison errors = compared_at(rotation, polygon.format(), polygon, truth);
+    if (errors.outcome <= Outcome::faithful) return errors;
+  }
+  return {};
+}
+
 Outcome outcome_of(Failure::Kind kind) {
   switch (kind) {
     case Failure::Kind::crashed: return Outcome::crashed;
@@ -189,6 +218,9 @@ Comparison compare(const PolygonView& polygon, const TruthPolygon& truth) {
   }
   if (!std::ranges::all_of(polygon, is_usable)) return with(Outcome::not_finite);
   const auto vertices = distinct_vertices(polygon);
+  if (vertices.size() < polygon.size()) {
+    if (const auto errors = compared_with_repeats(polygon, truth)) return *errors;
+  }
   if (vertices.size() < truth.needed) {
     result.visible = truth.is_visible();
     return with(truth.is_visible() ? Outcome::missing : Outcome::exact);
@@ -198,12 +230,7 @@ Comparison compare(const PolygonView& polygon, const TruthPolygon& truth) {
   const Points found = screen_points(vertices);
   if (is_flipped(expected, found)) return with(Outcome::flipped);
   if (expected.size() != found.size()) return with(Outcome::vertex_count);
-  const std::size_t rotation = rotation_between(expected, found);
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    add_errors(polygon.format(), vertices[(i + rotation) % vertices.size()],
-               truth.exact.vertices[i], truth.approximation[i], result);
-  }
-  return with(category(result));
+  return compared_at(rotation_between(expected, found), polygon.format(), vertices, truth);
 }
 
 double largest_depth_error(const PolygonView& polygon, const TruthPolygon& truth) {

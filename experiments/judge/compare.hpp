@@ -3,8 +3,10 @@
 // A clipper's polygon against the exact one.
 //
 // Vertices are matched in order, at the rotation that brings them closest (those of a segment in
-// its own order); repeated vertices count once. Errors are differences to exact rationals, rounded
-// to double only at the end (relative error below 2^-20).
+// its own order); repeated vertices count once, unless the answer has every vertex of the exact
+// polygon, each within an ulp: small polygons have vertices that fall together when they are
+// rounded. Errors are differences to exact rationals, rounded to double only at the end (relative
+// error below 2^-20).
 #pragma once
 
 #include <span>

@@ -62,6 +62,24 @@ TEST_CASE("compare: a repeated vertex counts once") {
         Outcome::exact);
 }
 
+TEST_CASE("compare: vertices that rounding brings to one place are not repeated ones") {
+  // The places of the first two differ by less than a float can tell.
+  const float x = std::nextafter(1.0f, 2.0f), w = std::nextafter(3.0f, 4.0f);
+  const Vertices input = {{{1, 1, 0, 3}, {}}, {{x, x, 0, w}, {}}, {{0, -1, 0, 3}, {}}};
+  Vertices answer = input;
+  for (auto& v : answer) {
+    const float divisor = v.position[3];
+    for (int i = 0; i < 3; ++i) v.position[i] /= divisor;
+    v.position[3] = 1 / divisor;
+  }
+  REQUIRE(answer[0].position[0] == answer[1].position[0]);
+  CHECK(judge({answer[1], answer[2], answer[0]}, input).outcome == Outcome::exact);
+  CHECK(judge({answer[1], answer[2], answer[1]}, input).outcome == Outcome::faithful);
+  CHECK(judge({answer[0], answer[2]}, input).outcome == Outcome::missing);
+  answer[2].position[0] = 0.25f;
+  CHECK(judge({answer[1], answer[2], answer[0]}, input).outcome == Outcome::missing);
+}
+
 TEST_CASE("compare: one ulp is faithful, more is subpixel, 1/256 px is visible") {
   const float one_ulp = std::nextafter(0.5f, 1.0f);
   const Comparison faithful = judge(moved(one_ulp));

@@ -44,6 +44,14 @@ void set_tie(Dice& dice, float& a, float& b, int sum, int exponent) {
   }
 }
 
+// Values a, b so that (q a + 3 b) / (q + 3), q + 3 = 2^sum, is beside the middle of two floats by a
+// alone, most often too little for the double next to the middle: 3 b has 25 bits and is odd.
+void set_broken_tie(Dice& dice, float& a, float& b) {
+  const int exponent = std::ilogb(b), odd = 2 * dice.below((1 << 23) / 6) + 1;
+  b = std::ldexp(std::copysign(1.0f + std::ldexp(static_cast<float>(odd), -23), b), exponent);
+  a = dice.turned(std::ldexp(1.0f, std::max(exponent - dice.between(26, 100), -149)));
+}
+
 // An edge cut in the ratio p to q, p + q = 2^sum, with ties in each coordinate and attribute that
 // the cut leaves free. Returns the axis.
 int set_tied_edge(Dice& dice, Triangle& v, const Batch& like, int p, int sum, int w_exponent) {
@@ -80,6 +88,19 @@ void set_opposite(float& a, float& b, float& c, float size) {
   a = size;
   b = -size;
   c = 0;
+}
+
+// An edge's ties, each broken by one end that is next to nothing.
+Batch broken_ties(Dice& dice, int attributes) {
+  const Batch like{{}, {}, attributes, {}};
+  const int sum = dice.between(2, 8);
+  return make_batch(dice, some_volume(dice, 0), attributes, [&](Triangle v) {
+    const int axis = set_tied_edge(dice, v, like, 3, sum, 8 + dice.below(4));
+    for (int i = 0; i < 4 + attributes; ++i) {
+      if (i != 3 && i != axis) set_broken_tie(dice, v[0][i], v[1][i]);
+    }
+    shuffle(dice, v);
+  });
 }
 
 }  // namespace
@@ -124,6 +145,7 @@ Batch exact_ties(Dice& dice) {
 
 Batch next_to_ties(Dice& dice) {
   const int attributes = some_attributes(dice);
+  if (dice.one_in(4)) return broken_ties(dice, attributes);
   if (attributes == 0 || dice.one_in(2)) {
     // Ties whose ratio is off by as little as can be: the distance of one end is 1 - tiny.
     Batch like{{}, {}, attributes, {}};

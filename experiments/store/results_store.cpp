@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "experiments/machine/errors.hpp"
 #include "experiments/store/database.hpp"
@@ -112,7 +113,11 @@ Interruptions ResultsStore::interruptions(const std::string& experiment) const {
       "SELECT total(s.value) FROM sample s JOIN cell c ON c.id = s.cell_id WHERE s.series = ? AND ? IN ('', c.experiment) GROUP BY s.position ORDER BY s.position",
       {kRunSeries, experiment});
   if (sums.size() != 5) return {};
-  const auto count = [&](std::size_t i) { return static_cast<std::int64_t>(sums[i]); };
+  const auto count = [&](std::size_t i) {
+    if (std::abs(sums[i]) < 0x1p63) return static_cast<std::int64_t>(sums[i]);
+    throw InputError(fmt::format("{}: is damaged: {} given as a number of runs under the clock",
+                                 file_.string(), sums[i]));
+  };
   return {count(0), count(1), count(2), sums[3], sums[4]};
 }
 

@@ -90,7 +90,7 @@ std::string leave_out_the_silent(Columns& columns) {
   std::vector<std::string> zero, empty, same;
   const auto is_silent = [&](const Shown& column) {
     if (column.is_all("0")) return zero.push_back(column.head), true;
-    if (column.is_all("-")) return empty.push_back(column.head), true;
+    if (column.is_all("-") || column.is_all("")) return empty.push_back(column.head), true;
     if (!column.is_key || column.cells.size() < 2 || !column.is_all(column.cells[0])) return false;
     return same.push_back(fmt::format("{} ({})", column.head, column.cells[0])), true;
   };

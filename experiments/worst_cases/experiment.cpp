@@ -11,6 +11,7 @@
 #include "experiments/report/experiment.hpp"
 #include "experiments/selection/replay_text.hpp"
 #include "experiments/survey/case_batch.hpp"
+#include "experiments/worst_cases/campaigns.hpp"
 #include "experiments/worst_cases/rows.hpp"
 
 namespace clipscope::experiments::worst_cases {
@@ -108,6 +109,24 @@ void search_ties(const ExperimentContext& context, TableOf<TieRow>& table) {
   context.emit_file(context.out() / file.name());
 }
 
+// What campaigns counted of the contestants selected.
+TableOf<CampaignRow> campaigns_of(const Contestants& selected) {
+  TableOf<CampaignRow> table;
+  for (const CampaignRow& row : builtin_campaigns().counts) {
+    const bool is_selected = std::ranges::any_of(selected, [&](const Contestant* contestant) {
+      return contestant->clipper == row.clipper && contestant->scalar() == row.scalar;
+    });
+    if (is_selected) table.add(row);
+  }
+  return table;
+}
+
+TableOf<CampaignCommandRow> campaign_commands() {
+  TableOf<CampaignCommandRow> table;
+  for (const CampaignCommandRow& row : builtin_campaigns().commands) table.add(row);
+  return table;
+}
+
 void run(const ExperimentContext& context) {
   TableOf<ChainRow> records;
   for (const std::string& scalar : context.selection().scalars) {
@@ -120,9 +139,11 @@ void run(const ExperimentContext& context) {
   if (std::ranges::find(all, &correctly_rounded()) != all.end()) search_ties(context, ties);
   TableOf<WorstRow> worst;
   for (const WorstRow& row : worst_rows(records.rows())) worst.add(row);
-  context.emit(worst, ties, records);
+  const TableOf<CampaignRow> campaigns = campaigns_of(all);
+  context.emit(worst, ties, campaigns, records);
+  if (!campaigns.rows().empty()) context.emit(campaign_commands());
   if (!ties.rows().empty()) context.emit(tie_plot(ties.rows()));
-  context.finding(finding(worst.rows(), ties.rows()));
+  context.finding(finding(worst.rows(), ties.rows(), campaigns.rows()));
 }
 
 }  // namespace

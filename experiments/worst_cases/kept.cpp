@@ -77,11 +77,13 @@ std::string KeptFile::text() const {
   return text;
 }
 
-KeptFile builtin_kept(std::string_view file) {
-  const auto found =
-      std::ranges::find_if(kBuiltinKept, [&](const auto& kept) { return kept.first == file; });
-  return {std::string(file), found->second};
+std::string_view kept_text(std::string_view file) {
+  return std::ranges::find(kBuiltinKept, file,
+                           &std::pair<std::string_view, std::string_view>::first)
+      ->second;
 }
+
+KeptFile builtin_kept(std::string_view file) { return {std::string(file), kept_text(file)}; }
 
 std::string Search::text(std::string_view method) const {
   return fmt::format("{}, seed {}, sample {}, clipscope {} ({}, {})", method, seed, sample,

@@ -49,7 +49,8 @@ class KeptFile {
   std::vector<Record> records_;
 };
 
-// As it was when the program was built. Pre-condition: there is a file of that name.
+// As they were when the program was built. Pre-condition: there is a file of that name.
+std::string_view kept_text(std::string_view file);
 KeptFile builtin_kept(std::string_view file);
 
 // Which search of this program found a record: "hunt, seed 7, 20000 evaluations, clipscope 0.1.0

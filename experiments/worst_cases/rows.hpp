@@ -13,6 +13,7 @@
 #include "experiments/contestants/columns.hpp"
 #include "experiments/report/plot.hpp"
 #include "experiments/table/row.hpp"
+#include "experiments/worst_cases/campaigns.hpp"
 #include "experiments/worst_cases/chains.hpp"
 #include "experiments/worst_cases/ties.hpp"
 
@@ -112,6 +113,7 @@ std::vector<WorstRow> worst_rows(const std::vector<ChainRow>& records);
 Plot tie_plot(const std::vector<TieRow>& ties);
 
 // The answer to the question.
-std::string finding(const std::vector<WorstRow>& worst, const std::vector<TieRow>& ties);
+std::string finding(const std::vector<WorstRow>& worst, const std::vector<TieRow>& ties,
+                    const std::vector<CampaignRow>& campaigns);
 
 }  // namespace clipscope::experiments::worst_cases

@@ -67,10 +67,21 @@ std::string digits_sentence(const std::vector<TieRow>& ties) {
                 : " Double-double has bits enough for all that were found.";
 }
 
-std::string rounding_sentence(const std::vector<TieRow>& ties) {
-  return std::ranges::all_of(ties, &TieRow::is_right)
-             ? " The correctly rounded clipper rounds all of them right, exact ties too."
-             : " The correctly rounded clipper rounds some of them WRONG.";
+// Of the ties, and of the campaigns of the correctly rounded clipper and of its batch form.
+std::string rounding_sentence(const std::vector<TieRow>& ties,
+                              const std::vector<CampaignRow>& campaigns) {
+  if (!std::ranges::all_of(ties, &TieRow::is_right)) {
+    return " The correctly rounded clipper rounds some of them WRONG.";
+  }
+  std::vector<CampaignRow> rounded;
+  std::ranges::copy_if(campaigns, std::back_inserter(rounded), [](const CampaignRow& row) {
+    return row.clipper.starts_with(correctly_rounded().clipper);
+  });
+  std::string text = " The correctly rounded clipper rounds all of them right, exact ties too";
+  if (rounded.empty()) return text + ".";
+  return text + (std::ranges::all_of(rounded, [](auto& row) { return row.misrounded == 0; })
+                     ? ", and all that long campaigns tried."
+                     : ", but not all that long campaigns tried.");
 }
 
 }  // namespace
@@ -116,9 +127,12 @@ Plot tie_plot(const std::vector<TieRow>& ties) {
   return plot;
 }
 
-std::string finding(const std::vector<WorstRow>& worst, const std::vector<TieRow>& ties) {
+std::string finding(const std::vector<WorstRow>& worst, const std::vector<TieRow>& ties,
+                    const std::vector<CampaignRow>& campaigns) {
   std::string text = chain_sentence(worst);
-  if (!ties.empty()) text += limit_sentence(ties) + digits_sentence(ties) + rounding_sentence(ties);
+  if (!ties.empty()) {
+    text += limit_sentence(ties) + digits_sentence(ties) + rounding_sentence(ties, campaigns);
+  }
   if (text.empty()) return "No error was found, or no clipper was asked for that has records.";
   return text.starts_with(' ') ? text.substr(1) : text;
 }

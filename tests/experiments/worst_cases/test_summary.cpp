@@ -9,8 +9,9 @@ using namespace clipscope::experiments::worst_cases;
 
 namespace {
 
-std::string checked(const std::vector<WorstRow>& worst, const std::vector<TieRow>& ties) {
-  const std::string text = finding(worst, ties);
+std::string checked(const std::vector<WorstRow>& worst, const std::vector<TieRow>& ties,
+                    const std::vector<CampaignRow>& campaigns = {}) {
+  const std::string text = finding(worst, ties, campaigns);
   INFO(text);
   CHECK(faults_of_prose(text).empty());
   return text;
@@ -35,6 +36,13 @@ TEST_CASE("worst cases: the finding follows the rows") {
   CHECK(
       checked(worst, {near, far}) ==
       "In float, away from the eye, the largest known error on screen is the smallest with view space, 2.00 px, and the largest with dividing first with affine attributes, 7.00 px. Where coordinates have one exponent, numbers can come no nearer to a tie than their divisors allow, and most kinds are known within a factor of four of that. Double-double has bits enough for these, and too few where exponents differ. The correctly rounded clipper rounds all of them right, exact ties too.");
+  CampaignRow campaign;
+  campaign.clipper = "barycentric/correctly_rounded_batch";
+  CHECK(checked({}, {near}, {campaign}).ends_with("too, and all that long campaigns tried."));
+  campaign.misrounded = 1;
+  CHECK(checked({}, {near}, {campaign}).ends_with("too, but not all that long campaigns tried."));
+  campaign.clipper = "textbook";
+  CHECK(checked({}, {near}, {campaign}).ends_with("right, exact ties too."));
   far.is_right = false;
   CHECK(checked({}, {near, far}).ends_with("rounds some of them WRONG."));
   near.any_exponents_ulp = far.any_exponents_ulp = 0x1p-60;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
 #include "experiments/guests/process.hpp"
 #include "experiments/machine/files.hpp"
+#include "experiments/machine/temporary_folder.hpp"
 #include "tests/experiments/reproductions/cases.hpp"
 
 namespace clipscope::experiments {
@@ -30,9 +30,8 @@ addEventListener('message', (event) => { document.getElementById('titles').textC
 
 // The first word of each page's title once it has drawn, or all that the browser said.
 std::vector<std::string> verdicts_of(const std::vector<std::string>& pages) {
-  std::string name = (fs::temp_directory_path() / "clipscope-pages-XXXXXX").string();
-  const fs::path folder = mkdtemp(name.data());
-  write_file(folder / "frames.html", frames(folder, pages));
+  const TemporaryFolder folder;
+  write_file(folder / "frames.html", frames(folder.path(), pages));
   std::string command = "chromium --dump-dom file://" + (folder / "frames.html").string() +
                         " --user-data-dir=" + (folder / "profile").string();
   for (const char* option :
@@ -41,8 +40,6 @@ std::vector<std::string> verdicts_of(const std::vector<std::string>& pages) {
     command += std::string(" ") + option;
   }
   const ProcessResult run = run_process(command, "", {}, "CLIPSCOPE", {.seconds = 120});
-  std::error_code ignored;
-  fs::remove_all(folder, ignored);
   std::vector<std::string> verdicts(pages.size(), run.output + run.errors);
   std::istringstream titles(run.output.substr(run.output.find("titles\">") + 8));
   std::size_t number = 0;

@@ -95,7 +95,7 @@ TEST_CASE("table: columns that say nothing are left out of the text and named, n
   CHECK(
       table.to_text() ==
       "A table\n\nclipper  edges\n-------  -----\na            5\nb            5\n"
-      "  Left out: the same in every row: scene (teapot); 0 in every row: lost; nothing in any row: why, input.\n");
+      "  Left out: the same in every row: scene (teapot); 0 in every row: lost; nothing in any row: why,\n  input.\n");
   CHECK(table.to_csv().starts_with("scene,clipper,lost,why,edges,input\n"));
 }
 

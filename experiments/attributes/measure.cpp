@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/judge/match.hpp"
 #include "experiments/scenes/random.hpp"
 
 namespace clipscope::experiments::attributes {
@@ -123,11 +122,9 @@ struct TriangleErrors {
 
 void judge_vertices(const PolygonView& polygon, const Wanted& wanted, TriangleErrors& errors) {
   const Format& format = polygon.format();
-  const std::vector<VertexView> vertices = distinct_vertices(polygon);
-  const std::size_t rotation =
-      best_rotation(screen_points(wanted.polygon.approximation), screen_points(vertices));
+  const std::vector<VertexView> vertices = matched_vertices(polygon, wanted.polygon).value();
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const VertexView& v = vertices[(i + rotation) % vertices.size()];
+    const VertexView& v = vertices[i];
     for (std::size_t t = 0; t < kTreatments; ++t) {
       const reference::Fraction& exact = wanted.vertices[i][static_cast<std::size_t>(kWanted[t])];
       const double error = std::abs(reference::error_of(to_exact(value_of(format, v, t)), exact));

@@ -112,32 +112,51 @@ void add_errors(const Format& format, const VertexView& vertex, const ExactVerte
   }
 }
 
-// Errors with vertex i of the truth standing for vertex (i + rotation) % n of the answer.
-// Pre-condition: as many in both.
-template <class Vertices>
-Comparison compared_at(std::size_t rotation, const Format& format, const Vertices& vertices,
-                       const TruthPolygon& truth) {
+// Pre-condition: as many vertices as the truth has, vertex i for its vertex i.
+Comparison compared(const Format& format, const std::vector<VertexView>& vertices,
+                    const TruthPolygon& truth) {
   Comparison errors{.visible = true};
-  for (std::size_t i = 0; i < truth.exact.vertices.size(); ++i) {
-    add_errors(format, vertices[(i + rotation) % vertices.size()], truth.exact.vertices[i],
-               truth.approximation[i], errors);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    add_errors(format, vertices[i], truth.exact.vertices[i], truth.approximation[i], errors);
   }
   errors.outcome = category(errors);
   return errors;
 }
 
-// Vertices that are apart in truth may fall together in a format. An answer that has them all, each
-// within an ulp, is compared with them one by one.
-std::optional<Comparison> compared_with_repeats(const PolygonView& polygon,
-                                                const TruthPolygon& truth) {
+// Vertex (i + rotation) % n as vertex i. Polygon: a view of one, or a list of its vertices.
+template <class Polygon>
+std::vector<VertexView> rotated(const Polygon& polygon, std::size_t rotation) {
+  std::vector<VertexView> vertices;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    vertices.push_back(polygon[(i + rotation) % polygon.size()]);
+  }
+  return vertices;
+}
+
+// Vertices that are apart in truth may fall together in a format: all vertices of an answer that
+// has as many as the truth, each within an ulp.
+std::optional<std::vector<VertexView>> matched_with_repeats(const PolygonView& polygon,
+                                                            const TruthPolygon& truth) {
   const std::size_t n = polygon.size();
   if (n != truth.exact.vertices.size()) return {};
   const std::size_t rotations = n == 2 ? 1 : n;  // a segment keeps its order
   for (std::size_t rotation = 0; rotation < rotations; ++rotation) {
-    const Comparison errors = compared_at(rotation, polygon.format(), polygon, truth);
-    if (errors.outcome <= Outcome::faithful) return errors;
+    std::vector<VertexView> vertices = rotated(polygon, rotation);
+    if (compared(polygon.format(), vertices, truth).outcome <= Outcome::faithful) return vertices;
   }
   return {};
+}
+
+// distinct: the answer's vertices but repeated ones.
+std::optional<std::vector<VertexView>> matched(const PolygonView& polygon,
+                                               const std::vector<VertexView>& distinct,
+                                               const TruthPolygon& truth) {
+  if (distinct.size() < polygon.size()) {
+    if (auto vertices = matched_with_repeats(polygon, truth)) return vertices;
+  }
+  if (distinct.size() != truth.exact.vertices.size()) return {};
+  return rotated(distinct,
+                 rotation_between(screen_points(truth.approximation), screen_points(distinct)));
 }
 
 Outcome outcome_of(Failure::Kind kind) {
@@ -217,31 +236,31 @@ Comparison compare(const PolygonView& polygon, const TruthPolygon& truth) {
     return with(outcome_of(polygon.failure()->kind));
   }
   if (!std::ranges::all_of(polygon, is_usable)) return with(Outcome::not_finite);
-  const auto vertices = distinct_vertices(polygon);
-  if (vertices.size() < polygon.size()) {
-    if (const auto errors = compared_with_repeats(polygon, truth)) return *errors;
+  const std::vector<VertexView> distinct = distinct_vertices(polygon);
+  if (!truth.is_visible()) {
+    result.visible = distinct.size() >= truth.needed;
+    return with(result.visible ? Outcome::extra : Outcome::exact);
   }
-  if (vertices.size() < truth.needed) {
-    result.visible = truth.is_visible();
-    return with(truth.is_visible() ? Outcome::missing : Outcome::exact);
+  const auto vertices = matched(polygon, distinct, truth);
+  if (!vertices && distinct.size() < truth.needed) return with(Outcome::missing);
+  if (is_flipped(screen_points(truth.approximation), screen_points(distinct))) {
+    return with(Outcome::flipped);
   }
-  if (!truth.is_visible()) return with(Outcome::extra);
-  const Points expected = screen_points(truth.approximation);
-  const Points found = screen_points(vertices);
-  if (is_flipped(expected, found)) return with(Outcome::flipped);
-  if (expected.size() != found.size()) return with(Outcome::vertex_count);
-  return compared_at(rotation_between(expected, found), polygon.format(), vertices, truth);
+  return vertices ? compared(polygon.format(), *vertices, truth) : with(Outcome::vertex_count);
+}
+
+std::optional<std::vector<VertexView>> matched_vertices(const PolygonView& polygon,
+                                                        const TruthPolygon& truth) {
+  if (!truth.is_visible()) return {};
+  return matched(polygon, distinct_vertices(polygon), truth);
 }
 
 double largest_depth_error(const PolygonView& polygon, const TruthPolygon& truth) {
   constexpr std::size_t kDepth = 2;
-  const auto vertices = distinct_vertices(polygon);
-  if (vertices.size() != truth.exact.vertices.size()) return 0;
-  const std::size_t rotation =
-      rotation_between(screen_points(truth.approximation), screen_points(vertices));
   double largest = 0;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Number z = vertices[(i + rotation) % vertices.size()][kDepth];
+  const auto vertices = matched_vertices(polygon, truth);
+  for (std::size_t i = 0; vertices && i < vertices->size(); ++i) {
+    const Number z = (*vertices)[i][kDepth];
     largest =
         std::max(largest, std::abs(coordinate_error(polygon.format(), z, truth.exact.vertices[i].z,
                                                     truth.approximation[i][kDepth])));

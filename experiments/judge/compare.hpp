@@ -9,6 +9,7 @@
 // error below 2^-20).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,13 @@ struct Comparison {
 };
 
 Comparison compare(const PolygonView& polygon, const TruthPolygon& truth);
+
+// The answer's vertices in the order of the exact ones, vertex i for exact vertex i; nothing where
+// something else than these was drawn, or nothing is visible. Pre-condition: all numbers are
+// usable, as they are for outcomes up to `visible`.
+std::optional<std::vector<VertexView>> matched_vertices(const PolygonView& polygon,
+                                                        const TruthPolygon& truth);
+
 // One for each polygon of the answers, in parallel. Pre-condition: as many truths.
 std::vector<Comparison> compare(const Answers& answers, std::span<const TruthPolygon> truths);
 

@@ -94,8 +94,7 @@ double error_of_wrong(Outcome outcome, const std::vector<ScreenPoint>& answer,
 Judgement judge(const PolygonView& polygon, const RoundedTruth& truth, const Kept& kept) {
   const Comparison comparison = compare(polygon, truth.polygon);
   if (!comparison.visible) return {};
-  const std::vector<VertexView> vertices = distinct_vertices(polygon);
-  const std::vector<ScreenPoint> screen = screen_points(vertices);
+  const std::vector<ScreenPoint> screen = screen_points(distinct_vertices(polygon));
   Judgement r{.visible = true, .wrong = comparison.outcome > Outcome::visible};
   if (r.wrong && is_rounded_truth(polygon, truth, kept)) {
     r.wrong = false;
@@ -107,8 +106,9 @@ Judgement judge(const PolygonView& polygon, const RoundedTruth& truth, const Kep
     r.coordinates = kCoordinates * expected;
   } else {
     r.error_px = comparison.position_px;
-    r.coordinates = kCoordinates * vertices.size();
-    r.correctly_rounded = correctly_rounded(vertices, truth, kept);
+    r.coordinates = kCoordinates * truth.screen.size();
+    r.correctly_rounded =
+        correctly_rounded(matched_vertices(polygon, truth.polygon).value(), truth, kept);
   }
   return r;
 }

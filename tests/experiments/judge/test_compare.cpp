@@ -74,6 +74,14 @@ TEST_CASE("compare: vertices that rounding brings to one place are not repeated 
   }
   REQUIRE(answer[0].position[0] == answer[1].position[0]);
   CHECK(judge({answer[1], answer[2], answer[0]}, input).outcome == Outcome::exact);
+  const Answers turned = answer_of(Vertices{answer[1], answer[2], answer[0]});
+  const auto matched = matched_vertices(turned[0], truth_of(input));
+  REQUIRE(matched.has_value());
+  REQUIRE(matched->size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK((*matched)[i][1].value == answer[i].position[1]);
+    CHECK((*matched)[i][3].value == answer[i].position[3]);
+  }
   CHECK(judge({answer[1], answer[2], answer[1]}, input).outcome == Outcome::faithful);
   CHECK(judge({answer[0], answer[2]}, input).outcome == Outcome::missing);
   answer[2].position[0] = 0.25f;

@@ -8,9 +8,9 @@
 // cases go the same way: a cycle of the vertices brings the first one inside after one outside to
 // the front, and two edges are cut. Triangles and quadrilaterals are cut so, plane after plane. Of
 // new vertices it is noted between which two they lie, and at which t; vertices with coordinates
-// and attributes are made of that one triangle at a time, as cut-inl.hpp makes them. A polygon of
-// five vertices that is to be cut again, a vertex on a plane and more than one run of outside
-// vertices are left to cut-inl.hpp.
+// and attributes are made of that one triangle at a time, as planes-inl.hpp makes them. A polygon
+// of five vertices that is to be cut again, a vertex on a plane and more than one run of outside
+// vertices are left to planes-inl.hpp.
 // Source: McGuire, "Efficient Triangle and Quadrilateral Clipping within Shaders", Journal of
 // Graphics, GPU, and Game Tools 15(4), 2011, whose lanes are a processor's threads.
 // Guarantees: the bits of homogeneous/mcguire, before its divide.
@@ -51,13 +51,15 @@ class LaneCutter {
     for (int p = 0; p < kPlanes; ++p) cut_by(p);
     for (int i = 0; i < kSlots; ++i) hn::Store(slots_[i].number, kD8, numbers_[i]);
     hn::Store(size_, kD8, sizes_);
-    given_up_bits_ = mask_bits(kD8, given_up_);
+    left_bits_ = mask_bits(kD8, given_up_);
   }
 
-  // The polygon of a lane, whose triangle this is: vertices written to `out`, or kGiveUp.
+  // Whether a lane's triangle is left to others.
+  bool is_left(std::size_t lane) const { return (left_bits_ >> lane & 1) != 0; }
+
+  // Of another lane, whose triangle this is: vertices written to `out`.
   template <class S>
   int write(const S& shape, std::size_t lane, const float* const vertex[3], float* out) const {
-    if ((given_up_bits_ >> lane & 1) != 0) return kGiveUp;
     HWY_ALIGN float pool[2 * kPlanes][S::kWidth];
     const float* at[3 + 2 * kPlanes] = {vertex[0], vertex[1], vertex[2]};
     for (int p = 0; p < kPlanes; ++p) {
@@ -226,7 +228,7 @@ class LaneCutter {
   unsigned cut_bits_[kPlanes] = {};
   HWY_ALIGN float numbers_[kSlots][8];
   HWY_ALIGN float sizes_[8];
-  unsigned given_up_bits_ = 0;
+  unsigned left_bits_ = 0;
 };
 
 }  // namespace clipscope::batch::HWY_NAMESPACE

@@ -18,8 +18,8 @@ namespace clipscope::batch {
 // The SIMD code that has the bits of a method.
 enum class Simd : std::uint8_t {
   none,         // there is none: the plain version clips
-  view_planes,  // plane after plane in view space (cut-inl.hpp)
-  clip_planes,  // plane after plane in clip space (cut-inl.hpp)
+  view_planes,  // plane after plane in view space (planes-inl.hpp)
+  clip_planes,  // plane after plane in clip space (planes-inl.hpp)
   clip_lanes,   // the same, as many triangles at once as there are lanes (lanes-inl.hpp)
   originals     // new vertices from the three original ones, in clip space (barycentric-inl.hpp)
 };

@@ -13,6 +13,7 @@
 #include "spaces/batch/lane_queue-inl.hpp"
 #include "spaces/batch/lanes-inl.hpp"
 #include "spaces/batch/methods.hpp"
+#include "spaces/batch/planes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace clipscope::batch::HWY_NAMESPACE {
@@ -105,7 +106,7 @@ class SplitQueue {
   LaneQueue<kMostSplits> queue_;
 };
 
-// Cuts from plane to plane, a triangle at a time; where one plane cuts, edges of several at once.
+// Cuts from plane to plane, several triangles at once.
 template <class M, class S, class V>
 class ChainCuts {
  public:
@@ -113,26 +114,35 @@ class ChainCuts {
   using Limits = std::conditional_t<kIsView<M>, ViewLimits, ClipLimits>;
 
   ChainCuts(const S& shape, const Limits& limits, const Planes& planes, DepthRange)
-      : chain_{shape, limits, planes}, ones_(planes) {}
+      : shape_(shape), ones_(planes), planes_(shape, limits, planes) {}
 
-  void begin(const Cuts& cuts) { ones_.begin(cuts); }
+  void begin(const Cuts& cuts) {
+    ones_.begin(cuts);
+    others_.begin(cuts.other);
+  }
 
   template <class At>
   HWY_INLINE int cut_one(const Survivor<At>& s, const V* const vertex[3], V* out, Tally&) {
     const std::size_t place = ones_.next(s);
-    return s.moderate ? chain_.cut_one_plane(vertex, ones_.splits()[place], out) : kGiveUp;
+    return s.moderate ? cut_one_plane(shape_, vertex, ones_.splits()[place], out) : kGiveUp;
   }
   template <class At>
-  HWY_NOINLINE int cut_several(const Survivor<At>& survivor, const V* const vertex[3], V* out,
-                               Tally&) {
-    return !survivor.moderate ? kGiveUp : chain_.cut_planes(vertex, survivor.any(), out);
+  HWY_NOINLINE int cut_several(const Survivor<At>& s, const V* const*, V* out, Tally&) {
+    const std::size_t i = others_.next([&](std::span<const std::size_t> members) {
+      planes_.cut(members.size(), [&](std::size_t in, int v) { return s.at(members[in], v); });
+    });
+    return s.moderate ? planes_.write(i, out) : kGiveUp;
   }
 
  private:
   using Number = typename M::Number;
 
-  const Chain<Number, S, Limits, PlaneOf<M>> chain_;
+  using Several = PlaneAfterPlane<Number, S, Limits, PlaneOf<M>>;
+
+  const S& shape_;
   SplitQueue<EdgeSplits<Number, V>, PlaneOf<M>> ones_;
+  Several planes_;
+  LaneQueue<Several::kTriangles> others_;
 };
 
 // The same, a triangle in each lane, as far as that goes.
@@ -142,7 +152,7 @@ class LaneCuts {
   using Planes = std::array<CodePlane, kPlanes>;
 
   LaneCuts(const S& shape, const ClipLimits& limits, const Planes& planes, DepthRange)
-      : chain_{shape, limits, planes}, lanes_(planes) {}
+      : shape_(shape), planes_(shape, limits, planes), lanes_(planes) {}
 
   void begin(const Cuts& cuts) {
     Choice all;
@@ -162,20 +172,26 @@ class LaneCuts {
                              Tally&) {
     const std::size_t lane = queue_.next([&](std::span<const std::size_t> members) {
       lanes_.cut(members.size(), [&](std::size_t in, int v) { return s.at(members[in], v); });
+      std::size_t left[kTriangleLanes], count = 0;
+      for (std::size_t in = 0; in < members.size(); ++in) {  // without a branch
+        left[count] = members[in];
+        place_[in] = count;
+        count += static_cast<std::size_t>(lanes_.is_left(in));
+      }
+      if (count == 0) return;
+      planes_.cut(count, [&](std::size_t in, int v) { return s.at(left[in], v); });
     });
     if (!s.moderate) return kGiveUp;
-    const int count = lanes_.write(chain_.shape, lane, vertex, out);
-    return count == kGiveUp ? cut_in_turn(vertex, s.any(), out) : count;
+    return lanes_.is_left(lane) ? planes_.write(place_[lane], out)
+                                : lanes_.write(shape_, lane, vertex, out);
   }
 
  private:
-  HWY_NOINLINE int cut_in_turn(const float* const vertex[3], unsigned any, float* out) const {
-    return chain_.cut_planes(vertex, any, out);
-  }
-
-  const Chain<typename M::Number, S, ClipLimits, CodePlane> chain_;
+  const S& shape_;
+  PlaneAfterPlane<typename M::Number, S, ClipLimits, CodePlane> planes_;
   LaneCutter lanes_;
   LaneQueue<kTriangleLanes> queue_;
+  std::size_t place_[kTriangleLanes];  // of those that are left, among these
 };
 
 // Cuts from the three own vertices: distances and corners of several triangles at once.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "experiments/answers/rows.hpp"
 #include "experiments/contestants/spoken.hpp"
@@ -102,9 +103,32 @@ std::string worst_price(const Results& results) {
   }
 }
 
+// What the correctly rounded clipper takes over the fastest that is not on the game-like mix, copied
+// from memory, round by round; nothing where the run does not say.
+std::optional<MedianInterval> paired_price(const Results& results) {
+  using R = cost::CertaintyRow;
+  try {
+    return results
+        .row<R>(&R::mix, cost::kGameLikeStage, &R::contract, Contract::copy, &R::from,
+                InputFrom::memory)
+        .price;
+  } catch (const MissingFigure&) {
+    return std::nullopt;
+  }
+}
+
+// The fastest that makes no mistake over the fastest: of the same rounds if they were in such, else
+// of two times.
+MedianInterval times_fastest(const Results& results, const Offer& certain, const Offer& fastest) {
+  if (const auto paired = paired_price(results)) return *paired;
+  return {certain.ns.median / fastest.ns.median, certain.ns.low / fastest.ns.high,
+          certain.ns.high / fastest.ns.low};
+}
+
 // What certainty costs a stage on the game-like mix: the fastest that makes no mistake against the
 // fastest.
-std::string usual_price(const std::vector<Offer>& offers, const Offer& certain) {
+std::string usual_price(const Results& results, const std::vector<Offer>& offers,
+                        const Offer& certain) {
   const std::string name = spoken_contestant(certain.clipper, certain.scalar);
   const Offer& fastest = offers.front();
   if (&certain == &fastest) {
@@ -112,14 +136,15 @@ std::string usual_price(const std::vector<Offer>& offers, const Offer& certain) 
         "Nothing on the game-like mix: {} is the fastest as a renderer's stage, and makes no mistake.",
         name);
   }
-  if (!is_below(fastest.ns, certain.ns)) {
+  const MedianInterval times = times_fastest(results, certain, fastest);
+  if (times.low <= 1) {
     return fmt::format(
         "Nothing that this run can measure on the game-like mix: as a renderer's stage {}, which makes no mistake, is as fast as the fastest; {}.",
         name, who_errs(offers));
   }
   return fmt::format(
       "On the game-like mix a renderer's stage takes {:.0f} % more time with {}, which makes no mistake, than with the fastest; {}.",
-      100 * (certain.ns.median / fastest.ns.median - 1), name, who_errs(offers));
+      100 * (times.median - 1), name, who_errs(offers));
 }
 
 std::string price(const Results& results) {
@@ -127,7 +152,7 @@ std::string price(const Results& results) {
   if (offers.empty()) throw MissingFigure("no clipper was timed as a renderer's stage");
   const auto found = std::ranges::find_if(offers, makes_no_mistake);
   if (found == offers.end()) return "More than was tried: every clipper makes mistakes.";
-  return usual_price(offers, *found) + worst_price(results);
+  return usual_price(results, offers, *found) + worst_price(results);
 }
 
 std::string behind_the_eye(const Results& results) {

@@ -36,7 +36,7 @@ Contestants growing_contestants() {
 bool is_baseline(const Contestant& c) { return c.clipper == "textbook"; }
 
 StageInput game_like(std::size_t triangles, int attributes, const GrowthOptions& options) {
-  return random_input("game_like", {.inside = 58, .outside = 37, .straddling = 5}, triangles,
+  return random_input(kGameLikeStage, {.inside = 58, .outside = 37, .straddling = 5}, triangles,
                       attributes, options.seed);
 }
 

@@ -130,6 +130,8 @@ struct StageRow {
   }
 };
 
+inline constexpr const char* kGameLikeStage = "game_like";  // as the stage's tables call the mix
+
 // What certainty costs: the correctly rounded clipper beside the fastest that promises less, on the
 // same triangles in the same rounds.
 struct CertaintyRow {

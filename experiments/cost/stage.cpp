@@ -67,7 +67,7 @@ std::vector<StageMix> stage_mixes(const Selection& selection) {
                       return random_input(name, shares, triangles, kSceneAttributes, seed);
                     }};
   };
-  return {soup("game_like", {.inside = 58, .outside = 37, .straddling = 5}),
+  return {soup(kGameLikeStage, {.inside = 58, .outside = 37, .straddling = 5}),
           soup("straddling", {.straddling = 1}),
           soup("several_planes", {.several_planes = 1}),
           soup("inside", {.inside = 1}),

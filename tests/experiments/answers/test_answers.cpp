@@ -91,6 +91,19 @@ TEST_CASE("answers: the price names the mix where correct rounding costs the mos
   CHECK(says(answer_to(run, "price"), "is as fast as the fastest on every mix"));
 }
 
+TEST_CASE("answers: the price is that of the same rounds, where there were such") {
+  Fabricated run = sample_run();
+  using R = cost::CertaintyRow;
+  const auto price = [](MedianInterval times) {
+    return row_with<R>(&R::mix, cost::kGameLikeStage, &R::contract, Contract::copy, &R::from,
+                       InputFrom::memory, &R::price, times);
+  };
+  run.set(std::vector{price({1.1, 1.04, 1.13})});
+  CHECK(says(answer_to(run, "price"), "takes 10 % more time with"));
+  run.set(std::vector{price({1.02, 0.98, 1.05})});
+  CHECK(says(answer_to(run, "price"), "Nothing that this run can measure"));
+}
+
 TEST_CASE("answers: dividing first does harm only where it fails more often") {
   Fabricated run = sample_run();
   CHECK(says(answer_to(run, "w"), "dividing first fails on 60 % of the hard cases"));

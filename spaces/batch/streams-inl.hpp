@@ -15,10 +15,11 @@ namespace clipscope::batch::HWY_NAMESPACE {
 
 // Classifies triangles [first, first + count) in whole vectors, and returns how many that are:
 // numbers of those inside go to the writer, others that survive, counted from `first`, to the list.
+// Not inlined: there its speed hangs on what else is in the function.
 template <class D>
-HWY_INLINE std::size_t classify_streams(D d, const ClipLimits& limits, const TriangleStreams& in,
-                                        std::size_t first, std::size_t count, Writer& writer,
-                                        Survivors& out) {
+HWY_NOINLINE std::size_t classify_streams(D d, const ClipLimits& limits, const TriangleStreams& in,
+                                          std::size_t first, std::size_t count, Writer& writer,
+                                          Survivors& out) {
   const hn::RebindToUnsigned<D> du;
   const auto floats = 3 * static_cast<std::size_t>(in.attribute_count);  // attributes of a triangle
   std::size_t t = 0;

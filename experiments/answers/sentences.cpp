@@ -103,8 +103,8 @@ std::string worst_price(const Results& results) {
   }
 }
 
-// What the correctly rounded clipper takes over the fastest that is not on the game-like mix, copied
-// from memory, round by round; nothing where the run does not say.
+// What the correctly rounded clipper takes over the fastest that is not, on the game-like mix by
+// copy from memory, round by round; nothing where the run does not say.
 std::optional<MedianInterval> paired_price(const Results& results) {
   using R = cost::CertaintyRow;
   try {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <set>
 #include <thread>
@@ -63,6 +64,19 @@ TEST_CASE("clock: without its baseline a task has a time and no ratio") {
   const std::vector<Timing> timings = time_in_turn(std::vector{wrong, counting(1000)}, kFew);
   CHECK(timings[1].is_timed());
   CHECK_FALSE(timings[1].speedup);
+}
+
+TEST_CASE("clock: a run that is held up while the share is chosen makes it no smaller") {
+  std::vector<double> shares;
+  Task task = counting(200000, 0.001, 1);
+  const auto work = task.work;
+  task.work = [&](double share) {
+    shares.push_back(share);
+    if (shares.size() == 2) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    return work(share);
+  };
+  time_in_turn(std::vector{task}, kFew);
+  CHECK(shares.back() > 10 * 0.001);
 }
 
 TEST_CASE("clock: a slow task does a share of its work, a quick one its work several times") {

@@ -116,6 +116,41 @@ TEST_CASE("batch: SIMD gives the bits of the plain version for runs of triangles
   }
 }
 
+// A triangle in the plane x + y + z = 0, which meets the volume in a hexagon, cuts three corners
+// off it. Lists of corners have eight places; the ninth is the plain version's.
+TEST_CASE("batch: a polygon of nine corners has the bits of the plain version") {
+  const float a = 1.8f;
+  const float vertices[] = {-a, a, 0, 1, 0, -a, a, 1, a, 0, -a, 1};
+  const VertexArray triangle{.data = vertices, .count = 3};
+  on_every_target([&] {
+    for (const Method method : kStageMethods) {
+      INFO(name(method));
+      Output plain, simd;
+      clip(method, {}, triangle, plain, Build::plain);
+      clip(method, {}, triangle, simd);
+      REQUIRE(plain.polygons().size() == 1);
+      CHECK(plain.polygons()[0].end == 9);
+      CHECK(first_difference(plain, simd) == std::nullopt);
+    }
+  });
+}
+
+// Few triangles are left to the plain version: of nine corners, or torn by rounding.
+TEST_CASE("batch: triangles across several planes are cut in SIMD") {
+  Random random(10);
+  const Soup soup = make_soup(random, Numbers::near_volume, 4, 3000);
+  on_every_target([&] {
+    for (const Method method : kStageMethods) {
+      INFO(name(method));
+      Output out;
+      clip(method, {}, soup.array(), out);
+      if (target_name() == "plain") continue;
+      CHECK(out.tally().planes > 500);
+      CHECK(out.tally().plain + out.tally().exact < 10);
+    }
+  });
+}
+
 namespace {
 
 Soup hard_soup(std::size_t triangles) {

@@ -7,7 +7,8 @@
 // corner there is a code, of the planes that it is outside of, found when the corner is made. Both
 // lists are eight bytes in a lane, so that shifts turn them and a mask finds the one run of corners
 // outside a plane: there is no branch for a triangle, and the corners that take the place of those
-// are computed for all lanes at once.
+// are computed for all lanes at once. All planes that cut one of them are gone through; to sort
+// triangles by their planes, so that these are fewer, gains nothing: loops then end unforeseen.
 //
 // A corner's side of a plane is certain if the determinant is larger than its bound; a determinant
 // of 0 is handed back, too, and so is a polygon of more than eight corners.

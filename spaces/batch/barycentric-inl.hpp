@@ -352,11 +352,8 @@ struct FromOriginals {
                                 V* out) const {
     const std::size_t stride = shape.floats();
     const int size = lanes.size(lane);
-    const auto copy = [&](int i) {
-      copy_vertex(shape, vertex[lanes.own_of(lane, i)], out + i * stride);
-    };
-    for (int i = 0; i < 4; ++i) copy(i);  // how many more is not to be predicted
-    for (int i = 4; i < size; ++i) copy(i);
+    for_each_corner(
+        size, [&](int i) { copy_vertex(shape, vertex[lanes.own_of(lane, i)], out + i * stride); });
     const Largest largest(shape, vertex);
     bool in_front = true;
     for (std::uint64_t rest = lanes.made(lane); rest != 0; rest &= rest - 1) {

@@ -101,31 +101,31 @@ HWY_INLINE T distance(const ViewCodePlane& plane, const V* v) {
   return T(plane.own) * T(v[plane.axis]) + T(plane.z_weight) * T(v[2]) + T(plane.constant);
 }
 
+// Lanes lane, lane + 1, … of a position, x y z w, and once more.
+template <class D, class V>
+HWY_INLINE hn::Vec<D> position_twice(D d, const V* v, std::size_t lane) {
+  if constexpr (hn::MaxLanes(D()) == 8) {
+    const auto p = load(hn::Half<D>(), v);
+    return hn::Combine(d, p, p);
+  } else {
+    return load(d, v + lane % 4);
+  }
+}
+
 // The signed distances in T of a vertex to the planes whose bits are lane, lane + 1, …, with the
 // bits of `distance`.
 template <class D, class V>
 HWY_INLINE hn::Vec<D> distances(D d, const ClipLimits& limits, const V* v, std::size_t lane) {
   const auto w = hn::Set(d, static_cast<hn::TFromD<D>>(v[3]));
   return hn::Add(hn::Mul(load(d, limits.w_weight + lane), w),
-                 hn::Mul(load(d, limits.c_weight + lane), load(d, v + lane % 4)));
+                 hn::Mul(load(d, limits.c_weight + lane), position_twice(d, v, lane)));
 }
 template <class D, class V>
 HWY_INLINE hn::Vec<D> distances(D d, const ViewLimits& limits, const V* v, std::size_t lane) {
   const auto z = hn::Set(d, static_cast<hn::TFromD<D>>(v[2]));
-  const auto sum = hn::Add(hn::Mul(load(d, limits.own + lane), load(d, v + lane % 4)),
+  const auto sum = hn::Add(hn::Mul(load(d, limits.own + lane), position_twice(d, v, lane)),
                            hn::Mul(load(d, limits.z_weight + lane), z));
   return hn::Add(sum, load(d, limits.constant + lane));
-}
-
-// The same in vectors of d that may be wider than a position.
-template <class D, class Limits, class V>
-HWY_INLINE hn::Vec<D> all_distances(D d, const Limits& limits, const V* v, std::size_t lane) {
-  if constexpr (hn::MaxLanes(D()) == 8) {
-    const hn::Half<D> half;
-    return hn::Combine(d, distances(half, limits, v, 4), distances(half, limits, v, 0));
-  } else {
-    return distances(d, limits, v, lane);
-  }
 }
 
 // A vertex to the output. Whole vectors may be written: what is behind is written later.
@@ -167,6 +167,14 @@ HWY_INLINE void meet(const S& shape, const From* a, const From* b, T t, To* out)
 }
 
 inline constexpr int kGiveUp = -1;
+
+// f(i) for each corner of a polygon, and for 0 to 3 always: most have three or four, and how many
+// is not to be predicted.
+template <class F>
+HWY_INLINE void for_each_corner(int size, F&& f) {
+  for (int i = 0; i < 4; ++i) f(i);
+  for (int i = 4; i < size; ++i) f(i);
+}
 
 // A mask of the vertices outside a plane. The sign of a rounded sum is the exact one.
 template <class T>

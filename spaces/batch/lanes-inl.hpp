@@ -8,8 +8,8 @@
 // cases go the same way: a cycle of the vertices brings the first one inside after one outside to
 // the front, and two edges are cut. Triangles and quadrilaterals are cut so, plane after plane. Of
 // new vertices it is noted between which two they lie, and at which t; vertices with coordinates
-// and attributes are made of that one triangle at a time, as planes-inl.hpp makes them. A polygon
-// of five vertices that is to be cut again, a vertex on a plane and more than one run of outside
+// and attributes are made of that one triangle at a time, as cut-inl.hpp makes them. A polygon of
+// five vertices that is to be cut again, a vertex on a plane and more than one run of outside
 // vertices are left to planes-inl.hpp.
 // Source: McGuire, "Efficient Triangle and Quadrilateral Clipping within Shaders", Journal of
 // Graphics, GPU, and Game Tools 15(4), 2011, whose lanes are a processor's threads.

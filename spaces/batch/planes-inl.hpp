@@ -38,7 +38,7 @@ class PlaneAfterPlane {
       return codes;
     });
     for (std::size_t p = 0; p < kPlanes; ++p) {
-      polygons_.cut_by(planes_[p].bit, [&](std::size_t i) { cut(p, i); });
+      polygons_.cut_by(planes_[p].bit, [&](std::size_t i) { cut_by(p, i); });
     }
   }
 
@@ -49,14 +49,12 @@ class PlaneAfterPlane {
     const int size = polygons_.size(i);
     std::uint64_t numbers = polygons_.numbers(i);
     int kept = 0;
-    const auto copy = [&](int place) {
+    for_each_corner(size, [&](int corner) {
       const T* const v = pools_[i].vertex[numbers & 0xFF].value();
       copy_vertex(shape_, v, out + static_cast<std::size_t>(kept) * shape_.floats());
-      kept += static_cast<int>(place < size && v[3] > 0);
+      kept += static_cast<int>(corner < size && v[3] > 0);
       numbers >>= 8;
-    };
-    for (int place = 0; place < 4; ++place) copy(place);  // how many more is not to be predicted
-    for (int place = 4; place < size; ++place) copy(place);
+    });
     return kept < 3 ? 0 : kept;
   }
 
@@ -91,7 +89,7 @@ class PlaneAfterPlane {
     }
     std::fill(to.value() + shape_.floats(), std::end(to.all), T(0));
     return code_of([&](std::size_t i) {
-      const auto distance = all_distances(D8(), limits_, v, i);
+      const auto distance = distances(D8(), limits_, v, i);
       hn::Store(distance, D8(), to.all + i);
       return distance;
     });
@@ -108,7 +106,7 @@ class PlaneAfterPlane {
   }
 
   // A polygon by plane p.
-  HWY_INLINE void cut(std::size_t p, std::size_t i) {
+  HWY_INLINE void cut_by(std::size_t p, std::size_t i) {
     const int bit = planes_[p].bit;
     const auto turned = polygons_.turned(i, bit);
     if (HWY_UNLIKELY(!turned.is_one_run)) return polygons_.give_up(i);

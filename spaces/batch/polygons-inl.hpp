@@ -26,8 +26,6 @@ class Polygons {
   static_assert(kMost % 8 == 0 && kMost < 64);
 
  public:
-  static constexpr int kMostBits = 64;
-
   // Begins with so many whole triangles, whose corners are 0, 1 and 2. codes(i): those of the i-th.
   template <class F>
   HWY_INLINE void begin(std::size_t count, F&& codes) {
@@ -97,6 +95,7 @@ class Polygons {
 
  private:
   static constexpr std::uint64_t kOnes = 0x0101010101010101;
+  static constexpr int kMostBits = 64;
 
   static HWY_INLINE std::uint64_t first(std::uint64_t list, int bits) {
     return list & ((std::uint64_t{1} << bits) - 1);
